@@ -3,14 +3,15 @@
 //! Each function goes as far as the program does and says what is amiss. A panic is amiss too, but is not caught here: the audit
 //! itself survives one, so whoever calls must look for it ([`super::panics`] in the tests, the fuzzer's own hook elsewhere).
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
-use cradle_verify::algebra::Expr;
+use cradle_verify::algebra::{Expr, Symbol};
 use cradle_verify::audit::{Audit, Note};
 use cradle_verify::derivation::Derivation;
 use cradle_verify::document::{Document, File, Item, Span};
 use cradle_verify::notation::{
-    Applied, latex_statement, mathml_statement, plain_formula, read_display, read_formulas,
+    Context, latex_statement, mathml_statement, plain_formula, read_display, read_formulas,
     read_on_page,
 };
 use cradle_verify::report::remark::Known;
@@ -174,10 +175,10 @@ fn printed(statement: &cradle_verify::notation::Statement) -> Checked {
         return Ok(());
     }
     // So does `B(z - a)`: it reads the same where the page has `B` as a function.
-    let mut applied = Applied::new();
+    let mut context = Context::default();
     let terms = said.iter().flat_map(|own| own.terms());
-    terms.for_each(|term| collect_applied(term, &mut applied));
-    let again = read_on_page(&once, Span::new(0, once.len()), false, &applied).statements;
+    terms.for_each(|term| collect_applied(term, &mut context.applied));
+    let again = read_on_page(&once, Span::new(0, once.len()), false, &context).statements;
     let again = match again {
         Ok(again) => again,
         // The parentheses that are printed around integrals in integrals are a depth more each.
@@ -194,7 +195,7 @@ fn printed(statement: &cradle_verify::notation::Statement) -> Checked {
 }
 
 /// What is applied to more than a name or a number in a term.
-fn collect_applied(term: &Expr, found: &mut Applied) {
+fn collect_applied(term: &Expr, found: &mut BTreeSet<Symbol>) {
     let is_plain = |own: &Expr| {
         matches!(
             own,

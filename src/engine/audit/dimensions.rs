@@ -6,7 +6,7 @@ mod told;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::algebra::{Base, Dimension, Expr, Formula, Rational, Symbol, element_parts};
+use crate::algebra::{Base, Dimension, Expr, Formula, Function, Rational, Symbol, element_parts};
 use crate::derivation::{Derivation, Kind, Source, conditions, formulas, without_dots};
 use crate::dimension::{Conflict, Inference, Reading, occur};
 use crate::kernel::dimension::{Form, Said, Scope, Unknown, WellDimensioned};
@@ -163,6 +163,7 @@ impl Dimensions {
     ) {
         let local = derivation.local(page, at);
         let mut formulas = local.formulas.clone();
+        formulas.retain(|own| !is_trial(own));
         formulas.retain(|formula| match number_for(&self.scopes[page], formula) {
             Some(said) => {
                 numbers.entry(at).or_default().push(said);
@@ -191,6 +192,16 @@ impl Dimensions {
         self.unknowns.push(name.clone());
         Said::Unknown(Unknown(self.unknowns.len() - 1))
     }
+}
+
+/// Whether a supposition is one that is tried, `x = e^{s t}`: the amplitude is left out, and with it the dimension.
+fn is_trial(formula: &Formula) -> bool {
+    use Function::{Cos, Exp, Sin};
+    let is_name = |side: &Expr| matches!(side, Expr::Symbol(_) | Expr::Apply(..));
+    let is_shape = |side: &Expr| matches!(side, Expr::Call(Exp | Sin | Cos, _));
+    formula
+        .as_equation()
+        .is_some_and(|(left, right)| is_name(left) && is_shape(right))
 }
 
 /// What a supposition such as `v_0 = 1` gives a number to.

@@ -1,11 +1,13 @@
 //! The imaginary unit where nobody declares it: what is said with it is said of complex numbers, and claims here are about real ones.
 //!
 //! `i` is the unit where it stands in the exponent of an exponential, where the text says that something is complex, or that $i^2 = -1$;
-//! so is `\mathrm i`. A letter that counts somewhere, as in `\sum_i`, is not taken for it.
+//! so is `\mathrm i`. A letter that counts somewhere, as in `\sum_i`, is not taken for it, nor is what is a quantity, "the current $i$", where
+//! nothing but words about complex numbers would make a unit of it.
 
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Function, Symbol};
+use crate::document::Span;
 
 use super::equation::formulas;
 use super::page::Page;
@@ -27,6 +29,39 @@ const SAID: [&str; 6] = [
     "phasor",
     "phasors",
 ];
+/// What goes on after a noun.
+const AFTER_NOUNS: [&str; 14] = [
+    "is",
+    "of",
+    "was",
+    "has",
+    "can",
+    "may",
+    "forms",
+    "formed",
+    "dissociates",
+    "decays",
+    "breaks",
+    "with",
+    "between",
+    "then",
+];
+/// Words that stand before the unit, and before no name of a quantity.
+const BEFORE_UNITS: [&str; 13] = [
+    "factor",
+    "factors",
+    "the",
+    "with",
+    "unit",
+    "number",
+    "letter",
+    "symbol",
+    "powers",
+    "that",
+    "where",
+    "times",
+    "multiplying",
+];
 /// Finds the unit, and takes apart what is said with it; `own` are the pages of one document.
 pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equation]) {
     let mut said: Vec<Formula> = Vec::new();
@@ -44,8 +79,12 @@ pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equa
     let is_unit = |&(name, upright): &(&str, bool)| {
         let unit = Symbol::new(name);
         let is_declared = own.iter().any(|&at| pages[at].is_declared(&unit));
-        let is_meant =
-            || upright || is_told(own, pages) || said.iter().any(|own| shows(own, &unit));
+        let is_told = || {
+            is_told(own, pages)
+                && !said.iter().any(|own| is_quantity(own, &unit))
+                && !is_called_something(own, pages, name)
+        };
+        let is_meant = || upright || said.iter().any(|own| shows(own, &unit)) || is_told();
         named.contains(&unit)
             && !is_declared
             && !said.iter().any(|own| counts(own, &unit))
@@ -70,16 +109,71 @@ fn may_speak_of_one(page: &Page, at: usize, equations: &[Equation]) -> bool {
 
 /// Whether the text speaks of complex numbers.
 fn is_told(own: &[usize], pages: &[Page]) -> bool {
-    own.iter().any(|&at| {
+    let mut texts = own.iter().flat_map(|&at| {
         let document = &pages[at].document;
-        let mut prose = document.prose();
-        prose.any(|prose| {
-            let mut words = document
-                .text(prose.span)
-                .split(|c: char| !c.is_alphabetic());
-            words.any(|word| SAID.iter().any(|own| own.eq_ignore_ascii_case(word)))
+        document.prose().map(|prose| document.text(prose.span))
+    });
+    texts.any(|text| {
+        let words: Vec<&str> = text.split(|c: char| !c.is_alphabetic()).collect();
+        (0..words.len()).any(|at| {
+            let is_said = SAID.iter().any(|own| own.eq_ignore_ascii_case(words[at]));
+            is_said && !is_compound(&words, at)
         })
     })
+}
+
+/// Whether a word is "complex" and means a chemical one: "the complex ES", "the complex is formed".
+fn is_compound(words: &[&str], at: usize) -> bool {
+    let before = at.checked_sub(1).map_or("", |at| words[at]);
+    let after = words.get(at + 1).map_or("", |word| word);
+    let is_determined = ["the", "a", "this", "each", "one"]
+        .iter()
+        .any(|own| own.eq_ignore_ascii_case(before));
+    words[at].eq_ignore_ascii_case("complex")
+        && is_determined
+        && (after.starts_with(char::is_uppercase) || AFTER_NOUNS.contains(&after))
+}
+
+/// Whether the text calls something by a letter, "the current $i$", "lines for different $i$", where it says nothing of an imaginary unit.
+fn is_called_something(own: &[usize], pages: &[Page], letter: &str) -> bool {
+    let own = own.iter().map(|&at| &pages[at].document);
+    let mut texts = own.flat_map(|document| document.prose().map(move |prose| (document, prose)));
+    texts.any(|(document, prose)| {
+        let bare = (prose.math.iter()).filter(|own| document.text(own.body).trim() == letter);
+        bare.into_iter().any(|own| {
+            let before = document.text(Span::new(prose.span.start, own.span.start));
+            let after = document.text(Span::new(own.span.end, prose.span.end));
+            let ends = |c: char| matches!(c, '.' | ';' | ':');
+            let sentence = before.rsplit(ends).next().unwrap_or_default();
+            let rest = after.split(ends).next().unwrap_or_default();
+            let word = sentence.trim_end().rsplit(char::is_whitespace).next();
+            let is_named = word.is_some_and(|word| {
+                word.len() > 2
+                    && word.chars().all(char::is_alphabetic)
+                    && !BEFORE_UNITS.contains(&word)
+            });
+            is_named
+                && ![sentence, rest]
+                    .iter()
+                    .any(|text| text.contains("imaginary"))
+        })
+    })
+}
+
+/// Whether a formula can only mean a quantity: one that is differentiated, that depends on another, or that is equal to something.
+fn is_quantity(formula: &Formula, letter: &Symbol) -> bool {
+    let is_letter = |term: &Expr| matches!(term, Expr::Symbol(own) if own == letter);
+    let is_root =
+        |term: &Expr| matches!(term, Expr::Power(_, half) if matches!(**half, Expr::Number(_)));
+    let is_given = formula.as_equation().is_some_and(|(left, right)| {
+        is_letter(left) && !is_root(right) || is_letter(right) && !is_root(left)
+    });
+    let shown = |part: &Expr| match part {
+        Expr::Apply(own, _) => own == letter,
+        Expr::Derivative { body, .. } | Expr::Partial { body, .. } => is_letter(body),
+        _ => false,
+    };
+    is_given || formula.terms().into_iter().any(|term| term.any(&shown))
 }
 
 /// Whether a formula can only mean the unit: `e^{i k x}`, `i^2 = -1`.

@@ -41,6 +41,7 @@ mod relatives;
 mod rows;
 mod running;
 mod slopes;
+mod sums;
 mod supposed;
 mod tabulated;
 mod values;

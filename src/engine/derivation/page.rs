@@ -11,7 +11,7 @@ use crate::document::{
     Citation, Directive, Document, Inline, Item, Premise, Problem, Quantity, Row, Span,
 };
 use crate::kernel::Domain;
-use crate::notation::{Applied, Spanned, Statement, SyntaxError, read_symbol};
+use crate::notation::{Context, Spanned, Statement, SyntaxError, read_symbol};
 use crate::sorted::{self, Set, Tree};
 
 use super::beside::{Beside, Clash, Place};
@@ -83,8 +83,8 @@ pub struct Page {
     pub clashes: Vec<Clash>,
     /// What its text says goes somewhere, in order.
     pub(super) approaches: Vec<approach::Told>,
-    /// The names that it has as functions, where that is in question.
-    pub(super) applied: Applied,
+    /// What it tells of its notation, where that is in question.
+    pub(super) context: Context,
     /// What its tables say that quantities are.
     pub(super) tabulated: Vec<Printed>,
 }
@@ -139,7 +139,7 @@ pub(super) fn read_page(
         given: BTreeSet::new(),
         clashes: Vec::new(),
         approaches: approach::told(&document),
-        applied: Applied::new(),
+        context: Context::default(),
         tabulated: tabulated(&document),
         document,
         beside,
@@ -181,13 +181,26 @@ pub(super) fn read_page(
     let named: BTreeSet<&str> = named.collect();
     let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
     let spoken_of: Set<Symbol> = alone.collect();
+    if let Some(run) = super::sums::run_through(&equations) {
+        page = unread.clone();
+        page.context.run = Some(run);
+        (equations, derived) = read_items(&mut page, number, &items);
+    }
+    let run = page.context.run.clone();
+    let unread = Page {
+        context: Context {
+            run,
+            ..Context::default()
+        },
+        ..unread
+    };
     let mut applied = names::in_question(&equations, &spoken_of);
     for attempt in 0..MOST_READINGS {
         if applied.is_empty() {
             break;
         }
         page = unread.clone();
-        page.applied.clone_from(&applied);
+        page.context.applied.clone_from(&applied);
         (equations, derived) = read_items(&mut page, number, &items);
         let alone = names::stand_alone(&equations, &applied);
         if alone.is_empty() {

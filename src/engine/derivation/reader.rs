@@ -89,7 +89,7 @@ impl<'p> Reader<'p> {
     pub fn new(page: &'p mut Page, number: usize, items: &[Item]) -> Self {
         let names = asides::Names::of(&page.document.source);
         Reader {
-            ahead: rows::read_ahead(&page.document.source, items, &page.applied).into_iter(),
+            ahead: rows::read_ahead(&page.document.source, items, &page.context).into_iter(),
             page,
             number,
             equations: Vec::new(),

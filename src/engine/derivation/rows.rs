@@ -7,7 +7,7 @@
 use crate::algebra::Formula;
 use crate::document::{Item, Layout, Row, Span};
 use crate::notation::{
-    Applied, Clause, Connective, Display, Other, Statement, SyntaxError, Unit, read_on_page,
+    Clause, Connective, Context, Display, Other, Statement, SyntaxError, Unit, read_on_page,
     read_rows,
 };
 use crate::parallel::{in_order, threads};
@@ -41,7 +41,7 @@ const LONGEST_CHAIN: usize = 64;
 const WORTH_SHARING: usize = 64;
 
 /// Reads the displays of a long page, several at a time; none of those of a short one, which are read when it is their turn.
-pub(super) fn read_ahead(source: &str, items: &[Item], applied: &Applied) -> Vec<Vec<Part>> {
+pub(super) fn read_ahead(source: &str, items: &[Item], context: &Context) -> Vec<Vec<Part>> {
     let displays = items.iter().filter_map(|item| match item {
         Item::Display { body, layout, .. } => Some((*body, layout.as_deref())),
         _ => None,
@@ -53,7 +53,7 @@ pub(super) fn read_ahead(source: &str, items: &[Item], applied: &Applied) -> Vec
     let shares = in_order(displays.chunks(WORTH_SHARING), |share| {
         let read = share
             .iter()
-            .map(|&(body, layout)| read(source, body, layout, applied));
+            .map(|&(body, layout)| read(source, body, layout, context));
         read.collect::<Vec<_>>()
     });
     shares.into_iter().flatten().collect()
@@ -64,12 +64,12 @@ pub(super) fn read(
     source: &str,
     body: Span,
     layout: Option<&Layout>,
-    applied: &Applied,
+    context: &Context,
 ) -> Vec<Part> {
     let Some(layout) = layout else {
-        return vec![plain(read_on_page(source, body, false, applied), body)];
+        return vec![plain(read_on_page(source, body, false, context), body)];
     };
-    let mut parts = of_layout(source, body, layout, applied);
+    let mut parts = of_layout(source, body, layout, context);
     for part in &mut parts {
         part.continues = part.continues.min(LONGEST_CHAIN);
     }
@@ -96,12 +96,12 @@ fn plain(display: Display, body: Span) -> Part {
     }
 }
 
-fn of_layout(source: &str, body: Span, layout: &Layout, applied: &Applied) -> Vec<Part> {
+fn of_layout(source: &str, body: Span, layout: &Layout, context: &Context) -> Vec<Part> {
     if let ([row], None) = (&layout.rows[..], &layout.obstacle)
         && row.pieces == [body]
         && !layout.columns
     {
-        let mut part = plain(read_on_page(source, body, true, applied), body);
+        let mut part = plain(read_on_page(source, body, true, context), body);
         part.tag = row.number.clone().or(part.tag);
         part.keys.extend(row.keys.iter().cloned());
         return vec![part];
@@ -112,7 +112,7 @@ fn of_layout(source: &str, body: Span, layout: &Layout, applied: &Applied) -> Ve
         .iter()
         .filter(|row| row.number.is_some())
         .count();
-    let mut units = read_rows(source, &pieces, layout.columns, applied);
+    let mut units = read_rows(source, &pieces, layout.columns, context);
     if let Some(problem) = &layout.obstacle {
         for unit in &mut units {
             unit.statements = Err(SyntaxError {

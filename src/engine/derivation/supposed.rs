@@ -259,11 +259,16 @@ impl Page {
             let values: Set<Symbol> = formulas.iter().flat_map(assigned).collect();
             let own: Set<Symbol> = formulas.iter().flat_map(Formula::names).collect();
             let (locals, source) = (&self.locals, &self.document.source);
+            let mut is_of_several = false;
             active.retain(|&at| {
                 let old = &locals[at];
-                let is_parted = || parts_sentences(source, old.span, span);
-                if !is_fact && !strict && is_parted() && old.is_ruled_out_by(&formulas) {
-                    return false;
+                if !is_fact && !strict && old.is_ruled_out_by(&formulas) {
+                    let is_parted = parts_sentences(source, old.span, span);
+                    // "The string at $x < 0$ is joined to the one at $x > 0$": one sentence speaks of two places, and is said of neither.
+                    is_of_several |= !is_parted && has_words(source, old.span, span);
+                    if is_parted || is_of_several {
+                        return false;
+                    }
                 }
                 let before = old.values();
                 // "For $m_1 = m_2$, … For $m_2 = 3 m_1$, …" goes from one case to the next.
@@ -278,6 +283,9 @@ impl Page {
                     }
                 }
             });
+            if is_of_several {
+                continue;
+            }
             let set = match is_case && kind != SuppositionKind::Figure || in_passing {
                 true => formulas.iter().filter_map(set_to_a_number).collect(),
                 false => Set::new(),
@@ -486,6 +494,13 @@ pub(super) fn parts_sentences(source: &str, one: Span, other: Span) -> bool {
     let between = source.get(one.end..other.start).unwrap_or_default();
     let ends = ["$$", "\\[", "\\end{", "\n\n", ". ", ".\n", ".*", "; "];
     ends.iter().any(|end| between.contains(end))
+}
+
+/// Whether more than "and" stands between two places.
+fn has_words(source: &str, one: Span, other: Span) -> bool {
+    let between = source.get(one.end..other.start).unwrap_or_default();
+    let mut words = between.split(|c: char| !c.is_alphanumeric());
+    words.any(|word| !word.is_empty() && word != "and")
 }
 
 /// Whether a formula says no more than what a new symbol is, by a product that it is a factor of: `I = \beta m R^2`.

@@ -39,19 +39,11 @@ pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
     let Some(side) = sides.last_mut() else {
         return;
     };
-    let is_number = |term: &Expr| match term {
-        Expr::Number(value) => !value.is_zero(),
-        _ => false,
-    };
-    let is_counted = match &side.expr {
-        Expr::Negate(inner) => is_number(inner.as_ref()),
-        Expr::Product(factors) => factors.iter().all(|own| match own {
-            Expr::Power(base, _) => is_number(base),
-            own => is_number(own),
-        }),
-        own => is_number(own),
-    };
-    if !is_counted {
+    if let Some((number, by)) = micro(source, body, &side.expr) {
+        side.expr = times(number, by);
+        return;
+    }
+    if !is_counted(&side.expr) {
         return;
     }
     let by = match factor_after(source, body.end) {
@@ -67,14 +59,56 @@ pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
         }
         _ => return,
     };
-    side.expr = match &side.expr {
-        Expr::Number(value) => Expr::Number(value * by),
-        Expr::Negate(inner) => match inner.as_ref() {
-            Expr::Number(value) => Expr::Negate(Expr::Number(value * by).into()),
-            _ => return,
-        },
-        own => Expr::Product([own.clone(), Expr::Number(by)].into()),
+    side.expr = times(side.expr.clone(), by);
+}
+
+/// Whether a term is worked out from nothing but numbers.
+fn is_counted(term: &Expr) -> bool {
+    let is_number = |term: &Expr| match term {
+        Expr::Number(value) => !value.is_zero(),
+        _ => false,
     };
+    match term {
+        Expr::Negate(inner) => is_number(inner.as_ref()),
+        Expr::Product(factors) => factors.iter().all(|own| match own {
+            Expr::Power(base, _) => is_number(base),
+            own => is_number(own),
+        }),
+        own => is_number(own),
+    }
+}
+
+fn times(term: Expr, by: BigRational) -> Expr {
+    match term {
+        Expr::Number(value) => Expr::Number(value * by),
+        Expr::Negate(inner) if matches!(*inner, Expr::Number(_)) => {
+            Expr::Negate(times(inner.as_ref().clone(), by).into())
+        }
+        own => Expr::Product([own, Expr::Number(by)].into()),
+    }
+}
+
+/// The number of `$d = 0.3\ \mu$m`, and how much of the SI the unit is: the sign of its prefix stands in the formula.
+fn micro(source: &str, body: Span, term: &Expr) -> Option<(Expr, BigRational)> {
+    let Expr::Product(factors) = term else {
+        return None;
+    };
+    let is_micro = |own: &Expr| matches!(own, Expr::Symbol(name) if name.name() == "\\mu");
+    let (_, number) = factors.split_last().filter(|(last, _)| is_micro(last))?;
+    let number = match number {
+        [only] => only.clone(),
+        several => Expr::Product(several.into()),
+    };
+    let before = source.get(..body.end)?.strip_suffix("\\mu")?;
+    let is_spaced = SPACES.iter().any(|own| before.ends_with(own));
+    let after = source.get(body.end..)?;
+    let after = after.strip_prefix('$').or(after.strip_prefix("\\)"))?;
+    if !is_counted(&number) || !is_spaced || !after.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        return None;
+    }
+    let end = after.char_indices().nth(LONGEST * MOST_PARTS);
+    let unit = format!("µ{}", &after[..end.map_or(after.len(), |(at, _)| at)]);
+    Some((number, unit_at(&unit)?))
 }
 
 fn factor_after(source: &str, end: usize) -> Option<Factor> {

@@ -38,8 +38,8 @@ pub use printer::{
     unbraced,
 };
 pub use read::{
-    Applied, Unit, read_display, read_expr, read_formulas, read_on_page, read_rows, read_symbol,
-    read_unaligned,
+    Context, Through, Unit, read_display, read_expr, read_formulas, read_on_page, read_rows,
+    read_symbol, read_unaligned,
 };
 pub use statement::{
     Before, BeforeKind, Choice, Clause, Connective, Display, Doubt, DoubtKind, Link, Mark, Other,

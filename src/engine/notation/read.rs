@@ -11,8 +11,27 @@ use super::{Display, Spanned, Statement, SyntaxError, beside, signs};
 use crate::algebra::{Expr, Symbol};
 use crate::document::Span;
 
-/// The names that a page has as functions: what stands in parentheses after them is an argument, `f(x + 1)`.
-pub type Applied = BTreeSet<Symbol>;
+/// What a page tells of its notation as a whole.
+#[derive(Clone, Debug, Default)]
+pub struct Context {
+    /// The names that it has as functions: what stands in parentheses after them is an argument, `f(x + 1)`.
+    pub applied: BTreeSet<Symbol>,
+    /// Through what its sums run, where all of those that say it run through the same.
+    pub run: Option<Through>,
+}
+
+/// What sums run through: `i` from 1 to `n`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Through {
+    /// `i`
+    pub index: Symbol,
+    /// 1
+    pub from: Expr,
+    /// `n`
+    pub to: Expr,
+    /// What they are sums of elements of.
+    pub sequences: BTreeSet<Symbol>,
+}
 
 /// Reads a displayed equation: `source[body]`, the mathematics between the `$$`s.
 ///
@@ -21,24 +40,24 @@ pub type Applied = BTreeSet<Symbol>;
 ///
 /// It may be cut out of an alignment: what `&` aligns is nobody's concern.
 pub fn read_display(source: &str, body: Span) -> Display {
-    display(source, body, lex(source, body), &Applied::new())
+    display(source, body, lex(source, body), &Context::default())
 }
 
 /// Reads a displayed equation that stands in no alignment, so that an `&` in it, outside all environments, is a mistake.
 pub fn read_unaligned(source: &str, body: Span) -> Display {
-    read_on_page(source, body, false, &Applied::new())
+    read_on_page(source, body, false, &Context::default())
 }
 
 /// Reads a displayed equation of a page that has functions.
-pub fn read_on_page(source: &str, body: Span, is_aligned: bool, applied: &Applied) -> Display {
+pub fn read_on_page(source: &str, body: Span, is_aligned: bool, context: &Context) -> Display {
     let lexed = match is_aligned {
         true => lex(source, body),
         false => unaligned(lex(source, body)),
     };
-    display(source, body, lexed, applied)
+    display(source, body, lexed, context)
 }
 
-fn display<'s>(source: &'s str, body: Span, mut lexed: Lexed<'s>, applied: &'s Applied) -> Display {
+fn display<'s>(source: &'s str, body: Span, mut lexed: Lexed<'s>, context: &'s Context) -> Display {
     if lexed.tags.is_empty()
         && let Some(tag) = typed_tag(source, &mut lexed)
     {
@@ -49,7 +68,7 @@ fn display<'s>(source: &'s str, body: Span, mut lexed: Lexed<'s>, applied: &'s A
     Display {
         tag,
         label,
-        statements: parser(lexed, body, false).applying(applied).statements(),
+        statements: parser(lexed, body, false).within(context).statements(),
     }
 }
 
@@ -68,7 +87,7 @@ pub struct Unit {
 ///
 /// A row that starts with a relation, or in an empty cell with a sign, goes on with the row before it. In `columns`
 /// every second `&` of a row parts two equations. One row that cannot be read does not hinder the others.
-pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool, applied: &Applied) -> Vec<Unit> {
+pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool, context: &Context) -> Vec<Unit> {
     let mut units: Vec<(Range<usize>, Lexed<'_>)> = Vec::new();
     for (at, pieces) in rows.iter().enumerate() {
         let mut lexed = Lexed::default();
@@ -111,7 +130,7 @@ pub fn read_rows(source: &str, rows: &[Vec<Span>], columns: bool, applied: &Appl
         let last = lexed.tokens.last().map(|token| token.span);
         let body = first.zip(last).map(|(first, last)| first.to(last));
         let parser = parser(lexed, body.unwrap_or_default(), false);
-        let statements = parser.applying(applied).statements();
+        let statements = parser.within(context).statements();
         Unit {
             rows,
             typed,

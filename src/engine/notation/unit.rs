@@ -294,9 +294,10 @@ pub(super) fn symbol(command: &str) -> Option<&'static str> {
 }
 
 /// Whether upright letters after a number can only be a unit, as far as the letters tell. A `d` may be that of a differential, and an `M` by
-/// itself is a mass as often; of concentrations in it logarithms are taken, as if it were 1.
+/// itself is a mass as often, as `GM` is; of concentrations in it logarithms are taken, as if it were 1.
 pub(super) fn is_symbol(text: &str) -> bool {
-    text != "d" && !text.ends_with('M') && by_symbol(text).is_some()
+    let is_other = || text.ends_with('M') && !matches!(text, "mM" | "µM" | "nM" | "pM");
+    text != "d" && !is_other() && by_symbol(text).is_some()
 }
 
 /// A unit as siunitx takes it, `m/s^2`, `kg.m^2.s^{-2}`, `\kilo\metre\per\second\squared`, or as it is written by hand,

@@ -178,7 +178,8 @@ impl Judge<'_> {
             return;
         };
         // With their slopes laws are said of one point: what they lead elsewhere need not be looked for. Definitions are put in.
-        let said = all.iter().map(|own| match definition(&own.formula) {
+        let said = all.iter().filter(|own| !works_out_a_slope(&own.formula));
+        let said = said.map(|own| match definition(&own.formula) {
             Some(_) => own.clone(),
             None => step(&own.formula),
         });
@@ -275,9 +276,24 @@ fn slopes(all: &[Assumed], held: &[Symbol], variable: &Symbol) -> Vec<Formula> {
             && named.iter().all(|own| is_known(own) || given.contains(own))
             && !law.formula.speaks_of_values()
     };
-    let laws = laws.filter(|law| gives(law).is_none()).filter(is_explicit);
+    let laws = laws.filter(|law| gives(law).is_none() && !works_out_a_slope(&law.formula));
+    let laws = laws.filter(is_explicit);
     laws.filter_map(|law| slope(&law.formula, variable))
         .collect()
+}
+
+/// Whether an equation says nothing but what the slope of a term is, `\frac{d}{dz} (R^2 + z^2)^{-1} = …`: that ties nothing to anything.
+fn works_out_a_slope(law: &Formula) -> bool {
+    let Some((Expr::Derivative { body, .. }, value)) = law.as_equation() else {
+        return false;
+    };
+    let mut inner = &**body;
+    while let Expr::Derivative { body, .. } = inner {
+        inner = body;
+    }
+    let is_name = matches!(inner, Expr::Symbol(_) | Expr::Apply(..));
+    let named = inner.free_symbols();
+    !is_name && value.free_symbols().iter().all(|own| named.contains(own))
 }
 
 /// Both sides of an equation differentiated.

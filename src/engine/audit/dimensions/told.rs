@@ -233,7 +233,7 @@ fn rows(derivation: &Derivation, page: usize) -> Vec<Row> {
             .formulas
             .iter()
             .map(|own| Formula::clone(own))
-            .filter(is_symbolic);
+            .filter(|own| is_symbolic(own) && !super::is_trial(own));
         rows.push((
             local.span.start,
             Row {

@@ -6,7 +6,7 @@
 
 use std::cell::OnceCell;
 
-use num_traits::Zero;
+use num_traits::{Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Page, Printed, Source};
@@ -83,7 +83,7 @@ impl Auditor<'_> {
         // What is worked out of numbers alone, and rounded on the way.
         let source = &page.document.source;
         let (mut agreed, mut left) = (Vec::new(), Vec::new());
-        for goal in open.map(as_meant) {
+        for goal in open.map(as_meant).map(near_summands) {
             match reckoned::agreed_loosely(&goal, source) {
                 Some(link) => agreed.push(link),
                 None => left.push(goal),
@@ -431,6 +431,52 @@ fn as_rounded(judged: &Judged, page: &Page) -> Goal {
         rounding.share *= BigRational::from_integer(2.into());
     }
     loosely
+}
+
+/// A goal whose right side adds up whole numbers of one unit that are long enough to be rounded, `T = 662\,\mathrm{keV} - 184\,\mathrm{keV}`: each is
+/// half a unit of its last digit wide.
+fn near_summands(goal: Goal) -> Goal {
+    const LEAST: i64 = 100;
+    let parted = |term: &Expr| -> Option<(BigRational, Vec<Expr>)> {
+        let (negative, term) = match term {
+            Expr::Negate(inner) => (true, &**inner),
+            term => (false, term),
+        };
+        let (number, unit) = match term {
+            Expr::Number(number) => (number, Vec::new()),
+            Expr::Product(factors) => match factors.split_first()? {
+                (Expr::Number(number), unit) => (number, unit.to_vec()),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let is_long = number.is_integer() && *number >= BigRational::from_integer(LEAST.into());
+        let number = if negative { -number } else { number.clone() };
+        is_long.then_some((number, unit))
+    };
+    let share = || {
+        let Some((_, Expr::Sum(terms))) = goal.formula.as_equation() else {
+            return None;
+        };
+        let parted: Option<Vec<(BigRational, Vec<Expr>)>> = terms.iter().map(parted).collect();
+        let parted = parted?;
+        let unit = &parted.first()?.1;
+        let is_figures = unit.iter().all(is_figures);
+        let sum: BigRational = parted.iter().map(|(number, _)| number).sum();
+        let is_one = is_figures && parted.iter().all(|(_, own)| own == unit) && !sum.is_zero();
+        let width = BigRational::new(parted.len().into(), 2.into());
+        is_one.then(|| width / sum.abs())
+    };
+    match goal.rounding {
+        None => {
+            let rounding = share().map(|share| Rounding {
+                share,
+                precision: Precision::Whole,
+            });
+            Goal { rounding, ..goal }
+        }
+        Some(_) => goal,
+    }
 }
 
 /// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.

@@ -21,7 +21,7 @@ impl Reader<'_> {
         let source = &self.page.document.source;
         said.cited.extend(above_signs(source, body));
         let read = self.ahead.next();
-        let mut read = read.unwrap_or_else(|| rows::read(source, body, layout, &self.page.applied));
+        let mut read = read.unwrap_or_else(|| rows::read(source, body, layout, &self.page.context));
         let statements = read.iter_mut().flat_map(|row| row.statements.as_mut());
         self.page.read_exponentials(statements.flatten());
         self.page

@@ -93,10 +93,22 @@ impl Page {
         };
         let mut before = equations.iter().rev().take(MOST_BEFORE);
         let law = before.find_map(|own| {
-            let body = left_side(own).filter(|body| matches!(body, Expr::Symbol(_)))?;
+            let body = left_side(own)?;
+            let name = match body {
+                Expr::Symbol(name) => name,
+                // `S(a, b) = …`
+                Expr::Apply(name, arguments) => {
+                    let is_argument =
+                        |own: &Expr| matches!(own, Expr::Symbol(own) if own == variable);
+                    arguments.iter().any(is_argument).then_some(name)?
+                }
+                _ => return None,
+            };
             let value = right_side(own)?;
-            let varies = *body != Expr::Symbol(variable.clone()) && value.mentions(variable);
-            let is_wanted = wanted.as_ref().is_none_or(|wanted| wanted == body);
+            let varies = name != variable && value.mentions(variable);
+            let is_wanted = wanted.as_ref().is_none_or(|wanted| {
+                wanted == body || matches!(wanted, Expr::Symbol(wanted) if wanted == name)
+            });
             (varies && is_wanted).then_some((body, value))
         });
         // Of a sum it is hardly meant that all that is summed up may change.

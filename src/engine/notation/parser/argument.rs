@@ -157,7 +157,7 @@ impl Parser<'_> {
         };
         match here {
             Kind::Command("dot" | "ddot") => true,
-            Kind::Command(name) if commands::is_fraction(name) => self.at_derivative(),
+            Kind::Command(name) if commands::is_fraction(name) => self.at_derivative(self.at),
             _ if self.at_differential() => {
                 let upright = !matches!(here, Kind::Letter(_));
                 let spaced = self.tokens.get(self.at).is_some_and(|token| token.spaced);

@@ -30,9 +30,9 @@ impl Parser<'_> {
         self.is_d(self.at) && self.starts_name(self.at + 1)
     }
 
-    /// Whether a fraction begins here that is a derivative: `\frac{d`, and `{d name` below.
-    pub(super) fn at_derivative(&self) -> bool {
-        let over = self.at + 1;
+    /// Whether a fraction begins at this place that is a derivative: `\frac{d`, and `{d name` below.
+    pub(super) fn at_derivative(&self, start: usize) -> bool {
+        let over = start + 1;
         let is_sign = |at: usize| self.is_d(at) || self.is_partial(at);
         if self.kind(over) != Kind::Open || !is_sign(over + 1) {
             return false;

@@ -190,8 +190,9 @@ impl Parser<'_> {
                 Kind::Open => depth += 1,
                 Kind::Close if depth < 2 => return false,
                 Kind::Close => depth -= 1,
-                // The sign of a differential, `dx`, is no name.
+                // The sign of a differential, `dx`, is no name, nor is that of a derivative, `\frac{d}{dx}`.
                 _ if self.is_d(at) && self.starts_name(at + 1) => {}
+                _ if self.is_d(at) && at >= 2 && self.at_derivative(at - 2) => {}
                 kind if kind == name => {
                     return !matches!(self.kind(at + 1), Kind::Char('(' | '_' | '^'));
                 }

@@ -40,12 +40,13 @@ pub(crate) use function::{angle_of, argument_of};
 pub(super) use function::{is_minus_one, stem};
 pub(super) use name::with_subscript;
 
+use std::collections::BTreeSet;
 use std::convert::Infallible;
 
 use super::commands;
 use super::lexer::{Kind, Token};
 use super::{
-    Applied, Before, BeforeKind, Choice, Clause, Doubt, DoubtKind, Run, Side, SyntaxError,
+    Before, BeforeKind, Choice, Clause, Context, Doubt, DoubtKind, Run, Side, SyntaxError, Through,
 };
 use between::Limits;
 
@@ -105,7 +106,9 @@ pub(super) struct Parser<'s> {
     /// The places where there is a choice.
     choices: Vec<(Choice, Span)>,
     /// The names that the page has as functions.
-    applied: Option<&'s Applied>,
+    applied: Option<&'s BTreeSet<Symbol>>,
+    /// What the sums of the page run through.
+    run: Option<&'s Through>,
     /// The names that stand before a parenthesis.
     before: Vec<Before>,
     /// The places that may be no power and no product.
@@ -194,9 +197,10 @@ fn no_matrix<T>(span: Span) -> Read<T> {
 }
 
 impl<'s> Parser<'s> {
-    /// With the names that the page has as functions.
-    pub(in crate::notation) fn applying(mut self, applied: &'s Applied) -> Self {
-        self.applied = Some(applied).filter(|own| !own.is_empty());
+    /// With what the page tells of its notation.
+    pub(in crate::notation) fn within(mut self, context: &'s Context) -> Self {
+        self.applied = Some(&context.applied).filter(|own| !own.is_empty());
+        self.run = context.run.as_ref();
         self
     }
 
@@ -224,6 +228,7 @@ impl<'s> Parser<'s> {
             angle: false,
             doubled: false,
             applied: None,
+            run: None,
             of_angle: false,
             truncated: None,
             summands: Vec::new(),

@@ -13,19 +13,23 @@ use super::progression::{Progression, progression};
 use super::{Kind, Parser, Read, Term, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, LimitPoint, Relation, Symbol, split_subscript};
 use crate::document::Span;
-use crate::notation::{Clause, Link, Side, SyntaxError};
+use crate::notation::{Clause, Link, Side, SyntaxError, Through};
 
 impl Parser<'_> {
     /// `\sum_{i=1}^{k} body`.
     pub(super) fn series(&mut self) -> Read<Expr> {
         let start = self.at;
         self.advance();
-        let (mut lower, mut upper) = (None, None);
+        let (mut lower, mut upper, mut bare) = (None, None, None);
         while lower.is_none() || upper.is_none() {
             match self.peek() {
                 Kind::Char('_') if lower.is_none() => {
                     self.advance();
                     let open = self.span();
+                    if let Some(index) = self.bare_index() {
+                        bare = Some(index);
+                        break;
+                    }
                     if !self.accept(Kind::Open) {
                         break;
                     }
@@ -43,18 +47,24 @@ impl Parser<'_> {
                 _ => break,
             }
         }
-        let (Some((index, from)), Some(to)) = (lower, upper) else {
-            let help = "write `\\sum_{i=1}^{k} u_i`";
-            return refuse_with(
-                self.since(start),
-                "this sum does not say where its index starts and ends",
-                help,
-            );
+        let is_unsaid = lower.is_none() && upper.is_none();
+        let told = self.run.filter(|_| is_unsaid);
+        let unsaid = self.since(start);
+        let (index, from, to) = match (lower, upper, told) {
+            (Some((index, from)), Some(to), _) => (index, from, to),
+            (_, _, Some(run)) => {
+                let index = bare.unwrap_or_else(|| run.index.clone());
+                (index, run.from.clone(), Some(run.to.clone()))
+            }
+            _ => return ends_unsaid(unsaid),
         };
         self.bound.push(index.name().to_owned());
         let body = self.operand();
         self.bound.pop();
         let body = body?;
+        if told.is_some_and(|run| !run.is_of(&body, &index)) {
+            return ends_unsaid(unsaid);
+        }
         // A name that nothing else in it has.
         let mut far = Symbol::new(format!("{index}'"));
         while body.mentions(&far) || from.mentions(&far) {
@@ -91,6 +101,20 @@ impl Parser<'_> {
             self.close(open)?;
         }
         Ok(true)
+    }
+
+    /// The index of `\sum_i` and `\sum_{i}`, which say no more.
+    fn bare_index(&mut self) -> Option<Symbol> {
+        let braces = usize::from(self.peek() == Kind::Open);
+        let letter = self.at + braces;
+        let ends = braces == 0 || self.kind(letter + 1) == Kind::Close;
+        if !ends || !self.is_letter(letter) {
+            return None;
+        }
+        self.at = letter;
+        let index = self.single_letter().ok()?.canonical();
+        self.at += braces;
+        Some(Symbol::new(index))
     }
 
     /// `i=1`
@@ -238,6 +262,34 @@ impl Parser<'_> {
                 format!("the subscript `{text}` is no number of elements"),
             ),
         }
+    }
+}
+
+/// What is said of a sum of which it is not known what it runs through.
+const ENDS_UNSAID: &str = "this sum does not say where its index starts and ends";
+
+fn ends_unsaid<T>(span: Span) -> Read<T> {
+    refuse_with(span, ENDS_UNSAID, "write `\\sum_{i=1}^{k} u_i`")
+}
+
+impl SyntaxError {
+    /// Whether it is of a sum that does not say what it runs through.
+    pub(crate) fn is_of_ends(&self) -> bool {
+        self.message == ENDS_UNSAID
+    }
+}
+
+impl Through {
+    /// Whether a sum with this index is one of those: it has elements of the same sequences.
+    fn is_of(&self, body: &Expr, index: &Symbol) -> bool {
+        let is_same = |part: &Expr| match part {
+            Expr::Element {
+                sequence,
+                index: own,
+            } if own == index => *index == self.index || self.sequences.contains(sequence),
+            _ => false,
+        };
+        body.any(&is_same)
     }
 }
 

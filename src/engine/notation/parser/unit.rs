@@ -192,7 +192,8 @@ impl<'s> Parser<'s> {
 
     /// `\mu\mathrm{m}`, `\mu\text{m/s}`, with no space between the two.
     fn micro(&self, at: usize) -> Option<Written> {
-        let (Kind::Upright(text) | Kind::Text(text)) = self.kind(at + 1) else {
+        let (Kind::Upright(text) | Kind::Text(text) | Kind::Quantity("", text)) = self.kind(at + 1)
+        else {
             return None;
         };
         let next = self.tokens.get(at + 1)?;
@@ -201,7 +202,7 @@ impl<'s> Parser<'s> {
         }
         let text = text.trim_end();
         let several = text.contains(|c: char| !c.is_alphanumeric());
-        if !several && !unit::is_symbol(text) {
+        if !several && text != "M" && !unit::is_symbol(text) {
             return None;
         }
         let mut written = Written::several(&format!("µ{text}"), at + 2)?;
