@@ -302,3 +302,66 @@ fn value_may_be_a_polynomial_in_pi() {
     let declared = claim().domain("\\pi", positive());
     assert_eq!(refuted(&declared, at(2, &[0, 4])), Err(Reject::NoValue));
 }
+
+/// A claim about roots, at a point with multiples of powers of π.
+fn refuted_in_pi(premise: &str, goal: &str, values: &[(&str, &[i64])]) -> Result<(), Reject> {
+    let parts = |all: &[i64]| all.iter().map(|&c| number(c)).collect();
+    let at = Assignment {
+        in_pi: values
+            .iter()
+            .map(|&(name, all)| (symbol(name), parts(all)))
+            .collect(),
+        ..point(&[])
+    };
+    refuted(&claim(&[premise], goal), at)
+}
+
+#[test]
+fn roots_of_multiples_of_powers_of_pi() {
+    let square = |t: &[i64], c: &[i64]| {
+        refuted_in_pi(
+            "c = \\sqrt{4 \\pi t}",
+            "c = \\sqrt{\\pi t}",
+            &[("t", t), ("c", c)],
+        )
+    };
+    assert_eq!(square(&[0, 1], &[0, 2]), Ok(()));
+    assert_eq!(square(&[0, 9], &[0, 6]), Ok(()));
+    assert_eq!(square(&[0, 0, 0, 1], &[0, 0, 2]), Ok(()));
+    assert_eq!(square(&[0, 1], &[0, 3]), Err(Reject::PremiseFalse(0)));
+    assert_eq!(square(&[0, 1], &[0, -2]), Err(Reject::PremiseFalse(0)));
+    // Neither 2 π² nor π² + π is a square, nor is π.
+    assert_eq!(square(&[0, 2], &[0, 2]), Err(Reject::NoValue));
+    assert_eq!(square(&[1, 1], &[0, 2]), Err(Reject::NoValue));
+    assert_eq!(square(&[0, 0, 1], &[0, 2]), Err(Reject::NoValue));
+    assert!(square(&[0, -1], &[0, 2]).is_err());
+}
+
+#[test]
+fn roots_of_quotients_and_of_higher_order() {
+    let quotient = |t: &[i64], c: &[i64]| {
+        let (premise, goal) = (
+            "c = \\sqrt{\\frac{\\pi^4}{t}}",
+            "c = 2 \\sqrt{\\frac{\\pi^4}{t}}",
+        );
+        refuted_in_pi(premise, goal, &[("t", t), ("c", c)])
+    };
+    assert_eq!(quotient(&[0, 0, 4], &[0, 1]), Err(Reject::PremiseFalse(0)));
+    assert_eq!(quotient(&[0, 0, 1], &[0, 1]), Ok(()));
+    assert_eq!(quotient(&[0, 1], &[0, 1]), Err(Reject::NoValue));
+    assert_eq!(
+        quotient(&[0, 0, 0, 0, 0, 0, 1], &[0, 1]),
+        Err(Reject::NoValue)
+    );
+    assert_eq!(quotient(&[1, 0, 1], &[0, 1]), Err(Reject::NoValue));
+    let cube = |t: &[i64], c: &[i64]| {
+        let (premise, goal) = ("c = \\sqrt[3]{\\pi + t}", "c = 2 \\sqrt[3]{\\pi + t}");
+        refuted_in_pi(premise, goal, &[("t", t), ("c", c)])
+    };
+    assert_eq!(cube(&[0, -1, 0, 8], &[0, 2]), Ok(()));
+    assert_eq!(cube(&[0, -1, 8], &[0, 2]), Err(Reject::NoValue));
+    // A power of such a root.
+    let at: &[(&str, &[i64])] = &[("t", &[0, -1, 0, 8]), ("c", &[0, 0, 4])];
+    let power = refuted_in_pi("c = (\\pi + t)^{2/3}", "c = 2 (\\pi + t)^{2/3}", at);
+    assert_eq!(power, Ok(()));
+}

@@ -58,6 +58,13 @@ impl InPi {
         }
     }
 
+    /// `c π^k` as `c`, which is not 0, and `k`.
+    pub fn as_multiple(&self) -> Option<(Rational, usize)> {
+        let (last, lower) = self.0.split_last()?;
+        let is_alone = lower.iter().all(Rational::is_zero);
+        is_alone.then(|| (last.clone(), lower.len()))
+    }
+
     /// Numbers over the one power of π that each of them is a multiple of; `None` where there is no such power.
     pub fn without_common_power(numbers: &[InPi]) -> Option<Vec<Rational>> {
         let is_known = |number: &&InPi| !number.is_zero();

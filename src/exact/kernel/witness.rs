@@ -1,5 +1,7 @@
 use std::borrow::Cow;
 
+use num_traits::{One, ToPrimitive};
+
 use super::algebraic::InField;
 use super::exponentials::Unit;
 use super::in_pi::InPi;
@@ -197,11 +199,43 @@ impl<'a> Point<'a> {
                     let value = self.logarithm_of_number(&term)?;
                     self.in_pi.insert(position, value);
                 }
+                Atom::Opaque(Expr::Power(base, exponent)) => {
+                    let value = self.root_in_pi(&base, &exponent)?;
+                    self.in_pi.insert(position, value);
+                }
                 _ => return Err(Reject::NoValue),
             },
             value => self.values[position] = Some(value?),
         }
         Ok(())
+    }
+
+    /// The root of a multiple of a power of π: `\sqrt{9 \pi^2/4} = 3 \pi/2`.
+    fn root_in_pi(&mut self, base: &Expr, exponent: &Expr) -> Result<InPi, Reject> {
+        let order = match exponent {
+            Expr::Number(number) if number.numer().is_one() => number.denom().to_usize(),
+            _ => None,
+        };
+        let order = order.ok_or(Reject::NoValue)?;
+        let value = self.lowered(base)?;
+        let mut below = InPi::rational(Rational::one());
+        for (factor, exponent) in value.denominator() {
+            below = below.times(&self.number(&factor.pow(exponent)?)?)?;
+        }
+        let above = self.number(value.numerator())?;
+        let (Some((over, power)), Some((under, less))) = (above.as_multiple(), below.as_multiple())
+        else {
+            return Err(Reject::NoValue);
+        };
+        let power = power.checked_sub(less).ok_or(Reject::NoValue)?;
+        if power % order > 0 {
+            return Err(Reject::NoValue);
+        }
+        let base = Expr::Number((over / under).to_big());
+        let root = self.lowered(&Expr::Power(base.into(), exponent.clone().into()))?;
+        let root = root.as_constant().ok_or(Reject::NoValue)?;
+        let power = u32::try_from(power / order).map_err(|_| Reject::TooLarge)?;
+        Ok(InPi::power(power)?.scaled(&root))
     }
 
     /// The value of an unknown, where it is rational.

@@ -1,11 +1,18 @@
 //! Points in the kernel's terms where functions or `\pi` occur: which symbols are left open, and which values are
 //! polynomials in π.
 
+use std::sync::Arc;
+
+use num_traits::{One, ToPrimitive};
+
 use crate::algebra::{
     Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var, sign_of_fraction,
 };
 use crate::kernel::{Assignment, Claim, Fact, Origin, Problem, Sign};
 use crate::sorted::{self, Map};
+
+/// Roots of a higher order are not looked at.
+const HIGHEST_ORDER: u32 = 4;
 
 /// How deep the tree of fractions is descended.
 const MOST_STEPS: usize = 1_000;
@@ -292,9 +299,10 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
     };
     point.symbols.remove(&Symbol::new("\\pi"));
     let equations = problem.facts.iter().filter(|f| f.sign == Sign::Zero);
+    let equations = equations.map(|fact| fact.polynomial.clone());
     // What has π for a factor throughout is so whatever that is.
-    let plain: Vec<Polynomial> = equations
-        .map(|f| without_factor(&f.polynomial, pi))
+    let plain: Vec<Polynomial> = (equations.chain(roots_of(problem, pi)))
+        .map(|own| without_factor(&own, pi))
         .collect();
     let mut pending: Vec<&Polynomial> = plain.iter().collect();
     let all = pending.clone();
@@ -338,7 +346,10 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
             let is_new = speak_of(&pending, var) + 1 == speak_of(&all, var);
             is_new && equation.degree_in(var) > 1
         };
-        let mut squares = candidates.iter().copied().filter(is_square);
+        // `s^2 = 4 \pi D` of `s = \sqrt{4 \pi D}` can be solved for `D` where the root is one.
+        let roots = equation.vars().into_iter();
+        let roots = roots.filter(|&var| !is_symbol(var) && !in_pi.is_settled(var));
+        let mut squares = candidates.iter().copied().chain(roots).filter(is_square);
         let with_multiple = squares.find_map(|square| {
             let mut with = in_pi.clone();
             let multiple = with.value(square)?.times(&Polynomial::var(pi)).ok()?;
@@ -348,7 +359,7 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
                 .copied()
                 .filter(|&v| v != square)
                 .collect();
-            with.solve(equation, &others).then_some(with)
+            (with.is_met(equation) || with.solve(equation, &others)).then_some(with)
         });
         in_pi = with_multiple.unwrap_or(in_pi);
     }
@@ -370,6 +381,30 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
             }
         }
     }
+}
+
+/// What roots with π in them are, `s^2 - 4 \pi D = 0` of `s = \sqrt{4 \pi D}`.
+fn roots_of(problem: &Problem, pi: Var) -> Vec<Polynomial> {
+    let mut atoms = problem.atoms.clone();
+    let roots = problem.atoms.iter().filter_map(|(var, atom)| match atom {
+        Atom::Opaque(Expr::Power(base, exponent)) => match &**exponent {
+            Expr::Number(number) if number.numer().is_one() => {
+                Some((var, base, number.denom().to_u32()?))
+            }
+            _ => None,
+        },
+        _ => None,
+    });
+    let roots: Vec<(Var, &Arc<Expr>, u32)> = roots.collect();
+    let mut equation = |(var, base, order): (Var, &Arc<Expr>, u32)| {
+        let value = problem.lowering_over(&mut atoms).lower(base).ok()?;
+        let below = value.expanded_denominator().ok()?;
+        let root = Polynomial::var(var).pow(order).ok()?;
+        let equation = root.times(&below).ok()?.minus(value.numerator());
+        (equation.degree_in(pi) > 0).then_some(equation)
+    };
+    let few = roots.into_iter().filter(|own| own.2 <= HIGHEST_ORDER);
+    few.filter_map(|own| equation(own)).collect()
 }
 
 /// Values of which some are polynomials in π.
@@ -401,6 +436,21 @@ impl InPi<'_> {
         let found = solved.is_some();
         self.lifted.extend(solved);
         found
+    }
+
+    /// Whether an equation is so with these values.
+    fn is_met(&self, equation: &Polynomial) -> bool {
+        let mut left = equation.clone();
+        for var in equation.vars() {
+            let value = self.value(var).filter(|_| var != self.pi);
+            let put_in = value.and_then(|value| left.substitute(var, &value).ok());
+            match put_in {
+                Some(with) => left = with,
+                None if var == self.pi => {}
+                None => return false,
+            }
+        }
+        left.is_zero()
     }
 
     fn solved_for(&self, equation: &Polynomial, var: Var) -> Option<Polynomial> {
