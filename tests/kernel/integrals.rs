@@ -396,3 +396,35 @@ fn powers_times_exponentials_of_powers() {
         r"\int_0^b x \exp(-x^2 - x) \, dx = 0",
     ]);
 }
+
+#[test]
+fn areas_beside_a_pole_at_nought() {
+    told_apart(&[
+        (
+            r"\int_0^b \frac{1}{\sqrt{x}} \, dx = 2 \sqrt{b}",
+            r"\int_0^b \frac{1}{\sqrt{x}} \, dx = \sqrt{b}",
+        ),
+        (
+            r"\int_b^0 \frac{k}{\sqrt{x}} \, dx = -2 k \sqrt{b}",
+            r"\int_b^0 \frac{k}{\sqrt{x}} \, dx = 2 k \sqrt{b}",
+        ),
+        (
+            r"\int_0^b \frac{c + x^2}{\sqrt{x}} \, dx = 2 c \sqrt{b} + \frac{2 b^{5/2}}{5}",
+            r"\int_0^b \frac{c + x^2}{\sqrt{x}} \, dx = 2 c \sqrt{b} + \frac{b^{5/2}}{5}",
+        ),
+        (
+            r"\int_0^8 \frac{1}{\sqrt[3]{x}} \, dx = 6",
+            r"\int_0^8 \frac{1}{\sqrt[3]{x}} \, dx = 4",
+        ),
+    ]);
+    // Where it grows too fast, where more than the variable moves, and below 0.
+    refused(&[
+        r"\int_0^1 \frac{1}{x \sqrt{x}} \, dx = -2",
+        r"\int_0^1 \frac{1}{x} \, dx = 0",
+        r"\int_0^1 \frac{1 + x^2}{x \sqrt{x}} \, dx = -\frac{4}{3}",
+        r"\int_0^b \frac{1}{x + x^2} \, dx = \ln\frac{b}{b + 1}",
+        r"\int_{-b}^0 \frac{1}{\sqrt{x}} \, dx = -2 \sqrt{b}",
+        r"\int_{-8}^0 \frac{1}{x^2} \, dx = -\frac{1}{8}",
+        r"\int_{-1}^1 \frac{1}{x^2} \, dx = -2",
+    ]);
+}

@@ -2,7 +2,7 @@
 //!
 //! | integrand | antiderivative | for |
 //! | --- | --- | --- |
-//! | x^r | x^(r+1)/(r+1) | r ≠ -1; where r < 0, 0 does not lie between the limits |
+//! | x^r | x^(r+1)/(r+1) | r ≠ -1; where r < 0, 0 does not lie between the limits; one of them may be 0 where r > -1 |
 //! | 1/x | ln x | 0 does not lie between the limits |
 //! | 1/(a + b x)^m | the same of a + b x, over b | it does not vanish between the limits |
 //! | x^n / ((a + b x)^m (c + d x)^l …) | by partial fractions | b c ≠ a d; they do not vanish between the limits |
@@ -72,7 +72,7 @@ impl Lowering<'_> {
             from,
             to,
         };
-        let found = match within.exists(&inner, &range)? {
+        let found = match within.exists(&value, &inner, &range)? {
             true => within.integrated(&value, &range)?,
             false => None,
         };
@@ -91,7 +91,12 @@ impl Lowering<'_> {
     }
 
     /// Whether the integrand has a value all the way, on conditions that are noted.
-    fn exists(&mut self, inner: &Conditions, range: &Range) -> Result<bool, LowerError> {
+    fn exists(
+        &mut self,
+        value: &Fraction,
+        inner: &Conditions,
+        range: &Range,
+    ) -> Result<bool, LowerError> {
         let sure = inner.zero.is_empty() && inner.bases.is_empty() && inner.doubtful.is_empty();
         if !sure {
             return Ok(false);
@@ -143,11 +148,53 @@ impl Lowering<'_> {
                 },
             };
             let [a, b] = self.at_limits(&followed, range)?;
-            if !self.may_be_positive(&a.times(&b)?)? {
+            // `\int_0^h \frac{dx}{\sqrt{x}}`: what grows more slowly than 1/x has an area at 0.
+            let at_nought = match (a.is_zero(), b.is_zero()) {
+                (true, false) => Some(&b),
+                (false, true) => Some(&a),
+                _ => None,
+            };
+            let away = match at_nought {
+                Some(other)
+                    if followed == Polynomial::var(range.own)
+                        && self.has_area_at_nought(value, range) =>
+                {
+                    other.clone()
+                }
+                _ => a.times(&b)?,
+            };
+            if !self.may_be_positive(&away)? {
                 return Ok(false);
             }
         }
         Ok(true)
+    }
+
+    /// Whether an integrand is a sum of powers of the variable, all of which have an exponent above -1.
+    fn has_area_at_nought(&self, value: &Fraction, range: &Range) -> bool {
+        let exponent = |var: Var, times: u32| match self.power_in(var, range) {
+            Some(power) => Some(power * whole(i64::from(times))),
+            None => self
+                .is_constant(self.atoms.atom(var), range.variable)
+                .then(Rational::zero),
+        };
+        let mut below = Rational::zero();
+        for (factor, times) in value.denominator() {
+            if !self.moves(factor, range) {
+                continue;
+            }
+            match alone(factor).and_then(|var| exponent(var, times)) {
+                Some(own) => below = below + own,
+                None => return false,
+            }
+        }
+        value.numerator().terms().all(|(monomial, _)| {
+            let mut powers = monomial.powers().iter();
+            let above = powers.try_fold(Rational::zero(), |sum, &(var, times)| {
+                Some(sum + exponent(var, times)?)
+            });
+            above.is_some_and(|above| above - below.clone() > -Rational::one())
+        })
     }
 
     /// Notes that a value must be positive; whether it can be.
