@@ -14,6 +14,11 @@ use super::judge::{Found, Judge};
 const LEAST_INDEXED: usize = 2;
 /// So many displays before are looked at for what a symbol depends on.
 const MOST_BEFORE: usize = 64;
+/// Words for what goes neither up nor down, and the names of heights.
+const LEVEL: [&str; 4] = ["horizontal", "same height", "same level", "equal height"];
+/// So many displays before may say it.
+const MOST_LEVEL: usize = 3;
+const HEIGHTS: [&str; 3] = ["h", "y", "z"];
 /// How names write a prime.
 const PRIME: &str = "'";
 /// A step compares few things.
@@ -105,7 +110,11 @@ impl Judge<'_> {
             let exists = spoken.contains(&own) || self.derivation.is_spoken_of(page, &own);
             exists.then(|| (name.clone(), own))
         };
-        let put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
+        let mut put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
+        // "In a horizontal pipe": the height is the same at both places.
+        if self.is_level() {
+            put.retain(|name, own| !HEIGHTS.contains(&name.name()) || spoken.contains(own));
+        }
         let here = put
             .values()
             .filter(|own| spoken.contains(*own) || has_law(own));
@@ -133,6 +142,18 @@ impl Judge<'_> {
         Some(Assumed {
             formula: formula.into(),
             ..law.clone()
+        })
+    }
+
+    /// Whether the text before says that something goes neither up nor down.
+    fn is_level(&self) -> bool {
+        let page = self
+            .derivation
+            .equations_of(self.derivation.equations[self.at].page);
+        let displays = page.start..=self.at;
+        displays.rev().take(MOST_LEVEL).any(|at| {
+            let text = self.derivation.text_before(at);
+            LEVEL.iter().any(|own| text.contains(own))
         })
     }
 

@@ -18,6 +18,31 @@ const STAYING: [&str; 4] = ["constant", "conserved", "conservation", "uniform"];
 /// So many equations before that speak of a variable are asked what moves with it.
 const MOST_LAWS: usize = 64;
 
+/// Whether a variable stands in an equation, and nowhere but in integrals over it.
+fn runs_in_integrals(equation: &Equation, variable: &Symbol) -> bool {
+    let is_over =
+        |part: &Expr| matches!(part, Expr::Integral { variable: own, .. } if own == variable);
+    let mut all = equation.statements().iter().flat_map(formulas);
+    let mut integrates = false;
+    all.all(|formula| {
+        integrates |= formula.terms().into_iter().any(|term| term.any(&is_over));
+        !formula.free_symbols().contains(variable)
+    }) && integrates
+}
+
+fn collect_limits(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
+    if let Expr::Integral {
+        variable, from, to, ..
+    } = term
+    {
+        let limits: Set<Symbol> = Formula::names_in([&**from, &**to].into_iter());
+        let limits = limits.into_iter().filter(|own| own != variable);
+        found.extend(limits.map(|limit| (variable.clone(), limit)));
+    }
+    term.children()
+        .for_each(|child| collect_limits(child, found));
+}
+
 fn at_place(part: &Expr) -> bool {
     matches!(part, Expr::Limit { .. })
 }
@@ -26,11 +51,15 @@ fn at_place(part: &Expr) -> bool {
 #[derive(Default)]
 pub(super) struct Moving {
     differentiated: Set<Symbol>,
+    /// What words alone say to change.
+    told: Set<Symbol>,
     /// What equations differentiate by, each with the position of the first that does.
     variables: Vec<(Symbol, usize)>,
     /// Symbols by themselves on a side of an equation, whether that is the left one, and all that it speaks of.
     explicit: Vec<(Symbol, bool, Set<Symbol>)>,
     constants: Set<Symbol>,
+    /// What is integrated over, with the symbols in the limits.
+    limits: Set<(Symbol, Symbol)>,
     /// All equations, each with the position of what states it and all that it speaks of.
     laws: Vec<(usize, Formula, Set<Symbol>)>,
 }
@@ -41,7 +70,10 @@ impl Moving {
         let own_page = &derivation.pages[page];
         let constants = own_page.domains.iter().filter(|own| own.1.constant);
         found.constants = constants.map(|own| own.0.clone()).collect();
-        found.differentiated = own_page.changing();
+        found.told = own_page.changing();
+        // "As $n$ grows" goes from one whole number to the next.
+        let is_whole = |own: &Symbol| own_page.domains.get(own).is_some_and(|own| own.integer);
+        found.told.retain(|own| !is_whole(own));
         let locals = &own_page.locals;
         // What is so at one moment says nothing of others.
         let at_moment = |own: &Equation| {
@@ -74,12 +106,27 @@ impl Moving {
         for formula in locals.flat_map(|local| &local.formulas) {
             found.learn(formula);
         }
+        let Moving {
+            told,
+            differentiated,
+            ..
+        } = &mut found;
+        told.retain(|own| !differentiated.contains(own));
+        differentiated.extend(told.iter().cloned());
         found
+    }
+
+    /// Whether a symbol is a limit of an integral over a variable, and differentiated nowhere.
+    fn is_limit(&self, symbol: &Symbol, variable: &Symbol) -> bool {
+        let is_told = || self.told.contains(symbol) || !self.differentiated.contains(symbol);
+        let mut limits = self.limits.iter();
+        limits.any(|(own, limit)| own == variable && limit == symbol) && is_told()
     }
 
     fn learn(&mut self, formula: &Formula) {
         for term in formula.terms() {
             term.collect_differentiated(&mut self.differentiated);
+            collect_limits(term, &mut self.limits);
         }
         let Some((left, right)) = formula.as_equation() else {
             return;
@@ -355,12 +402,19 @@ impl Auditor<'_> {
             let Some((Expr::Derivative { variable, .. }, _)) = condition.as_equation() else {
                 return false;
             };
+            // `\int_0^L f \, dx`: the limits do not move with what runs between them.
+            let is_limit = |own: &Symbol| moving.is_limit(own, variable);
+            let is_dummy = || runs_in_integrals(equation, variable);
             let (names, sequences) = (condition.names(), condition.sequences());
-            let mut held = names.iter().filter(|name| *name != variable);
-            held.any(|name| {
+            let held = names.iter().filter(|name| *name != variable);
+            held.filter(|name| !is_limit(name)).any(|name| {
                 let all_vary = equation.all_vary && !writes_out(variable);
                 if all_vary && !equation.is_told_constant(name) {
                     return true;
+                }
+                // That it grows from case to case says nothing of what runs within one.
+                if moving.told.contains(name) && is_dummy() {
+                    return false;
                 }
                 let name = (name, sequences.contains(name));
                 moving.says((at, equation), name, variable)

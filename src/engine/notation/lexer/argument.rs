@@ -46,10 +46,23 @@ fn behind_group(text: &str) -> Option<&str> {
     None
 }
 
-/// ` const.` is `const`.
+/// Where something is constant that is so wherever the page speaks of it.
+const EVERYWHERE: [&str; 7] = [
+    "along a streamline",
+    "along the streamline",
+    "along any streamline",
+    "along streamlines",
+    "of the motion",
+    "throughout",
+    "everywhere",
+];
+
+/// ` const.` is `const`, and so is `constant along a streamline`.
 fn unabbreviated(text: &str) -> &str {
-    let word = text.trim().trim_end_matches('.');
-    match CONSTANT.contains(&word) {
+    let words = text.trim().trim_end_matches('.');
+    let (word, rest) = words.split_once(' ').unwrap_or((words, ""));
+    let is_whole = rest.is_empty() || EVERYWHERE.contains(&rest.trim());
+    match is_whole && CONSTANT.contains(&word) {
         true => word,
         false => text,
     }
