@@ -184,7 +184,7 @@ impl Lowering<'_> {
                 continue;
             }
             match alone(factor).and_then(|var| exponent(var, times)) {
-                Some(own) => below = below + own,
+                Some(own) => below += own,
                 None => return false,
             }
         }

@@ -260,24 +260,45 @@ fn is_open(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
         && problem.goal.polynomial.degree_in(var) == 0
 }
 
-/// Whether a symbol stands in an exponential and in a sine, and neither can be without it: then it is left open for
-/// none of them, and 0 is tried.
+/// Whether a symbol stands in an exponential and in a sine, and the exponential cannot be without it: then it is left open for none of
+/// them, and 0 is tried.
 fn is_torn(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
-    let excludes_zero = |s: &Symbol| {
-        let zero = crate::algebra::BigRational::from_integer(0.into());
-        claim.domains.get(s).is_some_and(|d| !d.contains(&zero))
-    };
-    let bound = |function: fn(Function) -> bool| {
+    let stands_in = |is: fn(Function) -> bool, others: &dyn Fn(&Symbol) -> bool| {
         problem.atoms.iter().any(|(_, atom)| {
             let Atom::Opaque(Expr::Call(own, argument)) = atom else {
                 return false;
             };
             let symbols = argument.free_symbols();
-            let mut others = symbols.iter().filter(|s| *s != symbol);
-            function(*own) && symbols.contains(symbol) && others.all(excludes_zero)
+            let mut all = symbols.iter().filter(|s| *s != symbol);
+            is(*own) && symbols.contains(symbol) && all.all(others)
         })
     };
-    bound(|f| f == Function::Exp) && bound(|f| kind_of(f) == Function::Sin)
+    let stays = |own: &Symbol| is_not_nought(claim, problem, own);
+    stands_in(|f| kind_of(f) == Function::Sin, &|_| true)
+        && stands_in(|f| f == Function::Exp, &stays)
+}
+
+/// Whether a symbol cannot be 0 at a point that is looked for: its domain or a fact says so, or the goal would hold there.
+fn is_not_nought(claim: &Claim, problem: &Problem, symbol: &Symbol) -> bool {
+    let zero = crate::algebra::BigRational::from_integer(0.into());
+    if claim
+        .domains
+        .get(symbol)
+        .is_some_and(|d| !d.contains(&zero))
+    {
+        return true;
+    }
+    let Some(var) = problem.atoms.find(&Atom::Symbol(symbol.clone())) else {
+        return false;
+    };
+    let is_power = |own: &Polynomial| own.vars().as_slice() == [var] && own.terms().count() == 1;
+    let says = |fact: &Fact| match fact.sign {
+        Sign::Positive | Sign::NonZero => is_power(&fact.polynomial),
+        _ => false,
+    };
+    let goal = &problem.goal;
+    let is_factor = || goal.polynomial.content().exponent(var) > 0;
+    problem.facts.iter().any(says) || goal.sign == Sign::Zero && is_factor()
 }
 
 /// A polynomial without the powers of an unknown that all of it has as a factor.
@@ -396,7 +417,7 @@ fn roots_of(problem: &Problem, pi: Var) -> Vec<Polynomial> {
         _ => None,
     });
     let roots: Vec<(Var, &Arc<Expr>, u32)> = roots.collect();
-    let mut equation = |(var, base, order): (Var, &Arc<Expr>, u32)| {
+    let equation = |(var, base, order): (Var, &Arc<Expr>, u32)| {
         let value = problem.lowering_over(&mut atoms).lower(base).ok()?;
         let below = value.expanded_denominator().ok()?;
         let root = Polynomial::var(var).pow(order).ok()?;
@@ -404,7 +425,7 @@ fn roots_of(problem: &Problem, pi: Var) -> Vec<Polynomial> {
         (equation.degree_in(pi) > 0).then_some(equation)
     };
     let few = roots.into_iter().filter(|own| own.2 <= HIGHEST_ORDER);
-    few.filter_map(|own| equation(own)).collect()
+    few.filter_map(equation).collect()
 }
 
 /// Values of which some are polynomials in π.

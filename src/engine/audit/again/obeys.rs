@@ -219,7 +219,9 @@ impl Judge<'_> {
             standing: Standing::Identity,
             ..taken(formula)
         };
-        let positive = constants.iter().chain([&variable]);
+        // What swings and dies away has values that are known where the exponent is 0.
+        let begins = Some(&variable).filter(|_| !is_damped_wave(&right, &variable, &fixed));
+        let positive = constants.iter().chain(begins);
         let positive = positive.map(|own| taken(&Formula::positive(Expr::Symbol(own.clone()))));
         let assumed = [throughout(&solution)].into_iter().chain(meant);
         let assumed = assumed.chain(positive);
@@ -311,6 +313,28 @@ impl Judge<'_> {
             Some(Decision::Proven { .. })
         )
     }
+}
+
+/// Whether a term has exponentials and waves of a variable, `e^{-\gamma t} \cos(\omega t)`, and brings no rates of its own along: for what they
+/// would have to be, too much damping may leave nothing.
+fn is_damped_wave(term: &Expr, variable: &Symbol, fixed: &Set<Symbol>) -> bool {
+    use Function::{Cos, Exp, Sin};
+    let has = |functions: &[Function]| {
+        term.any(&|part| match part {
+            Expr::Call(own, argument) => functions.contains(own) && argument.mentions(variable),
+            _ => false,
+        })
+    };
+    let is_fixed = |own: &Symbol| own == variable || fixed.contains(own);
+    let brings = |rate: &Expr| rate.mentions(variable) && !rate.free_symbols().iter().all(is_fixed);
+    let brings_rates = term.any(&|part| match part {
+        Expr::Call(Exp | Sin | Cos, argument) => match &**argument {
+            Expr::Sum(terms) => terms.iter().any(brings),
+            whole => brings(whole),
+        },
+        _ => false,
+    });
+    has(&[Exp]) && has(&[Sin, Cos]) && !brings_rates
 }
 
 /// How often what a formula speaks of is differentiated at most: a law of the first order has no solution that speaks of a slope.

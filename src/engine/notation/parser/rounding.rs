@@ -18,7 +18,7 @@ impl Parser<'_> {
             own => own,
         };
         let mut at = start;
-        if self.kind(at) == Kind::Char('-') {
+        if matches!(self.kind(at), Kind::Char('-' | '+')) {
             at += 1;
         }
         if !(counted(bare) || is_degrees(bare) && self.are_degrees_at(at + 1)) {
