@@ -1,4 +1,4 @@
-//! What sums run through that do not say it, `\\sum_i x_i`: the same as the sums of the page that do.
+//! What sums run through that do not say it, `\sum_i x_i`: the same as the sums of the page that do.
 
 use std::collections::BTreeSet;
 
