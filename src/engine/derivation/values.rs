@@ -17,6 +17,8 @@ use super::supposed::is_number as is_number_or_unit;
 const MOST_SAID: usize = 500;
 /// The words between a relation and the place where it is so.
 const AT: [&str; 6] = ["at", "at time", "at the time", "for", "when", "where"];
+/// What a dot is the slope by.
+const TIMES: [&str; 2] = ["t", "\\tau"];
 /// A place may have a name before its value, of no more words: "at the lower end $x = 0$".
 const MOST_NAMING: usize = 3;
 /// No more conditions are met at one place.
@@ -73,10 +75,14 @@ impl ConditionSaid {
         }
     }
 
-    /// What has the value, where that may change with a variable: `y'` is the slope of `y`.
+    /// What has the value, where that may change with a variable: `y'` is the slope of `y`, and `\dot y` that by the time.
     pub fn subject(&self, variable: &Symbol) -> Expr {
+        let is_time = TIMES.contains(&variable.name());
         match &self.of {
-            Expr::Symbol(name) if let Some((own, order, false)) = base(name) => {
+            Expr::Symbol(name)
+                if let Some((own, order, is_dot)) = base(name)
+                    && (is_time || !is_dot) =>
+            {
                 let own = Expr::Symbol(own);
                 (0..order).fold(own, |own, _| own.differentiated_by(variable))
             }
