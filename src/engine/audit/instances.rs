@@ -112,8 +112,10 @@ impl Judge<'_> {
         };
         let mut put: Map<Symbol, Symbol> = names.iter().filter_map(indexed).collect();
         // "In a horizontal pipe": the height is the same at both places.
-        if self.is_level() {
-            put.retain(|name, own| !HEIGHTS.contains(&name.name()) || spoken.contains(own));
+        let is_height =
+            |name: &Symbol, own: &Symbol| HEIGHTS.contains(&name.name()) && !spoken.contains(own);
+        if put.iter().any(|(name, own)| is_height(name, own)) && self.is_level() {
+            put.retain(|name, own| !is_height(name, own));
         }
         let here = put
             .values()

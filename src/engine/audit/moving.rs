@@ -22,12 +22,9 @@ const MOST_LAWS: usize = 64;
 fn runs_in_integrals(equation: &Equation, variable: &Symbol) -> bool {
     let is_over =
         |part: &Expr| matches!(part, Expr::Integral { variable: own, .. } if own == variable);
-    let mut all = equation.statements().iter().flat_map(formulas);
-    let mut integrates = false;
-    all.all(|formula| {
-        integrates |= formula.terms().into_iter().any(|term| term.any(&is_over));
-        !formula.free_symbols().contains(variable)
-    }) && integrates
+    let said = || equation.statements().iter().flat_map(formulas);
+    let integrates = |own: Formula| own.terms().into_iter().any(|term| term.any(&is_over));
+    said().any(integrates) && !said().any(|own| own.free_symbols().contains(variable))
 }
 
 fn collect_limits(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
@@ -51,7 +48,7 @@ fn at_place(part: &Expr) -> bool {
 #[derive(Default)]
 pub(super) struct Moving {
     differentiated: Set<Symbol>,
-    /// What words alone say to change.
+    /// What words say to change.
     told: Set<Symbol>,
     /// What equations differentiate by, each with the position of the first that does.
     variables: Vec<(Symbol, usize)>,
@@ -106,21 +103,24 @@ impl Moving {
         for formula in locals.flat_map(|local| &local.formulas) {
             found.learn(formula);
         }
-        let Moving {
-            told,
-            differentiated,
-            ..
-        } = &mut found;
-        told.retain(|own| !differentiated.contains(own));
-        differentiated.extend(told.iter().cloned());
         found
+    }
+
+    /// Whether a symbol is differentiated, or told to change.
+    fn moves(&self, symbol: &Symbol) -> bool {
+        self.differentiated.contains(symbol) || self.told.contains(symbol)
+    }
+
+    /// Whether nothing but words says that a symbol changes.
+    fn is_told_alone(&self, symbol: &Symbol) -> bool {
+        self.told.contains(symbol) && !self.differentiated.contains(symbol)
     }
 
     /// Whether a symbol is a limit of an integral over a variable, and differentiated nowhere.
     fn is_limit(&self, symbol: &Symbol, variable: &Symbol) -> bool {
-        let is_told = || self.told.contains(symbol) || !self.differentiated.contains(symbol);
         let mut limits = self.limits.iter();
-        limits.any(|(own, limit)| own == variable && limit == symbol) && is_told()
+        limits.any(|(own, limit)| own == variable && limit == symbol)
+            && !self.differentiated.contains(symbol)
     }
 
     fn learn(&mut self, formula: &Formula) {
@@ -154,7 +154,7 @@ impl Moving {
         let speaking = speaking.filter(|own| own.2.contains(variable));
         let mut laws: Vec<&Formula> = speaking.take(MOST_LAWS).map(|own| &own.1).collect();
         laws.reverse();
-        let moves = |own: &Symbol| self.differentiated.contains(own);
+        let moves = |own: &Symbol| self.moves(own);
         let constant =
             |own: &Symbol| self.constants.contains(own) || equation.is_told_constant(own);
         self.changes((name, is_sequence), variable, false)
@@ -175,10 +175,11 @@ impl Moving {
         let velocity = dotted(name, false);
         let changes = |named: &Set<Symbol>| {
             let mut all = named.iter();
-            all.any(|other| other == variable || self.differentiated.contains(other))
+            all.any(|other| other == variable || self.moves(other))
         };
         let mut explicit = self.explicit.iter();
-        self.differentiated.iter().any(is_meant)
+        let mut moving = self.differentiated.iter().chain(&self.told);
+        moving.any(is_meant)
             || explicit.any(|(own, left, named)| {
                 let stands = is_meant(own) && (*left || !given);
                 *own == velocity || named.contains(&velocity) || stands && changes(named)
@@ -413,7 +414,7 @@ impl Auditor<'_> {
                     return true;
                 }
                 // That it grows from case to case says nothing of what runs within one.
-                if moving.told.contains(name) && is_dummy() {
+                if moving.is_told_alone(name) && is_dummy() {
                     return false;
                 }
                 let name = (name, sequences.contains(name));

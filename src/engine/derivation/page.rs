@@ -23,7 +23,7 @@ use super::reader::Reader;
 use super::supposed::Local;
 use super::tabulated::tabulated;
 use super::values::Printed;
-use super::{Equation, approach, counts, differentials, doubts, names};
+use super::{Equation, approach, counts, differentials, doubts, names, sums};
 
 pub(super) use self::declared::{adds_to, bounds_in, dimension_of, is_empty, narrow, no_value};
 pub use self::figures::Datum;
@@ -167,7 +167,7 @@ pub(super) fn read_page(
             .beside
             .as_ref()
             .is_some_and(|beside| !beside.given.is_empty());
-    let unread = page.clone();
+    let mut unread = page.clone();
     let (mut equations, mut derived) = read_items(&mut page, number, &items);
     let called = {
         let prose = items.iter().filter_map(|item| match item {
@@ -181,19 +181,11 @@ pub(super) fn read_page(
     let named: BTreeSet<&str> = named.collect();
     let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
     let spoken_of: Set<Symbol> = alone.collect();
-    if let Some(run) = super::sums::run_through(&equations) {
+    unread.context.run = sums::run_through(&equations);
+    if unread.context.run.is_some() {
         page = unread.clone();
-        page.context.run = Some(run);
         (equations, derived) = read_items(&mut page, number, &items);
     }
-    let run = page.context.run.clone();
-    let unread = Page {
-        context: Context {
-            run,
-            ..Context::default()
-        },
-        ..unread
-    };
     let mut applied = names::in_question(&equations, &spoken_of);
     for attempt in 0..MOST_READINGS {
         if applied.is_empty() {

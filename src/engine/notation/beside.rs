@@ -101,23 +101,15 @@ fn micro(source: &str, body: Span, term: &Expr) -> Option<(Expr, BigRational)> {
     };
     let before = source.get(..body.end)?.strip_suffix("\\mu")?;
     let is_spaced = SPACES.iter().any(|own| before.ends_with(own));
-    let after = source.get(body.end..)?;
-    let after = after.strip_prefix('$').or(after.strip_prefix("\\)"))?;
+    let after = after_formula(source, body.end)?;
     if !is_counted(&number) || !is_spaced || !after.starts_with(|c: char| c.is_ascii_alphabetic()) {
         return None;
     }
-    let end = after.char_indices().nth(LONGEST * MOST_PARTS);
-    let unit = format!("µ{}", &after[..end.map_or(after.len(), |(at, _)| at)]);
-    Some((number, unit_at(&unit)?))
+    Some((number, unit_at(&format!("µ{}", beginning(after)))?))
 }
 
 fn factor_after(source: &str, end: usize) -> Option<Factor> {
-    let rest = source.get(end..)?;
-    let rest = match rest.strip_prefix('$') {
-        Some(rest) => (!rest.starts_with('$')).then_some(rest)?,
-        None => rest.strip_prefix("\\)")?,
-    };
-    let rest = &with_signs(rest);
+    let rest = &with_signs(after_formula(source, end)?);
     let (spaced, spaces) = without_spaces(rest);
     let word = &spaced[..length_of_name(spaced)];
     if DEGREES.contains(&word) {
@@ -139,6 +131,21 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
     factor.map(Factor::Unit)
 }
 
+/// What stands behind a formula in the text that ends there.
+fn after_formula(source: &str, end: usize) -> Option<&str> {
+    let rest = source.get(end..)?;
+    match rest.strip_prefix('$') {
+        Some(rest) => (!rest.starts_with('$')).then_some(rest),
+        None => rest.strip_prefix("\\)"),
+    }
+}
+
+/// As much of a text as the longest unit may take.
+fn beginning(text: &str) -> &str {
+    let end = text.char_indices().nth(LONGEST * MOST_PARTS);
+    &text[..end.map_or(text.len(), |(at, _)| at)]
+}
+
 /// The beginning of a text, with the letters of units that are put as mathematics as they are read: `µF` of `$\mu$F`.
 fn with_signs(text: &str) -> Cow<'_, str> {
     const SIGNS: [(&str, &str); 4] = [
@@ -147,11 +154,7 @@ fn with_signs(text: &str) -> Cow<'_, str> {
         ("\\textmu{}", "µ"),
         ("$\\Omega$", "Ω"),
     ];
-    let end = text
-        .char_indices()
-        .map(|(at, _)| at)
-        .nth(LONGEST * MOST_PARTS);
-    let begin = &text[..end.unwrap_or(text.len())];
+    let begin = beginning(text);
     match SIGNS.iter().any(|(spelt, _)| begin.contains(spelt)) {
         true => (SIGNS.iter())
             .fold(begin.to_owned(), |text, (spelt, sign)| {

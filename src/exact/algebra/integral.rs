@@ -44,6 +44,16 @@ struct Moving {
     linear: Vec<(Polynomial, u32)>,
 }
 
+impl Moving {
+    fn nothing() -> Moving {
+        Moving {
+            power: Rational::zero(),
+            factors: Vec::new(),
+            linear: Vec::new(),
+        }
+    }
+}
+
 impl Lowering<'_> {
     /// An integral by linearity: what has a known antiderivative is integrated, everything else becomes an integral of
     /// one product, in which no more than the product itself tells it from another.
@@ -172,28 +182,22 @@ impl Lowering<'_> {
 
     /// Whether an integrand is a sum of powers of the variable, all of which have an exponent above -1.
     fn has_area_at_nought(&self, value: &Fraction, range: &Range) -> bool {
-        let exponent = |var: Var, times: u32| match self.power_in(var, range) {
-            Some(power) => Some(power * whole(i64::from(times))),
-            None => self
-                .is_constant(self.atoms.atom(var), range.variable)
-                .then(Rational::zero),
-        };
-        let mut below = Rational::zero();
-        for (factor, times) in value.denominator() {
-            if !self.moves(factor, range) {
-                continue;
-            }
-            match alone(factor).and_then(|var| exponent(var, times)) {
-                Some(own) => below += own,
+        let mut below = Moving::nothing();
+        for (factor, exponent) in value.denominator() {
+            match alone(factor) {
+                _ if !self.moves(factor, range) => {}
+                Some(var) => self.join(&mut below, var, -i64::from(exponent), range),
                 None => return false,
             }
         }
         value.numerator().terms().all(|(monomial, _)| {
-            let mut powers = monomial.powers().iter();
-            let above = powers.try_fold(Rational::zero(), |sum, &(var, times)| {
-                Some(sum + exponent(var, times)?)
-            });
-            above.is_some_and(|above| above - below.clone() > -Rational::one())
+            let mut term = below.clone();
+            for &(var, exponent) in monomial.powers() {
+                if !self.is_constant(self.atoms.atom(var), range.variable) {
+                    self.join(&mut term, var, i64::from(exponent), range);
+                }
+            }
+            term.factors.is_empty() && term.power > -Rational::one()
         })
     }
 
@@ -224,11 +228,7 @@ impl Lowering<'_> {
         range: &Range,
     ) -> Result<Option<Fraction>, LowerError> {
         let mut still = Fraction::from(Rational::one());
-        let mut below = Moving {
-            power: Rational::zero(),
-            factors: Vec::new(),
-            linear: Vec::new(),
-        };
+        let mut below = Moving::nothing();
         let denominator: Vec<(Polynomial, u32)> =
             (value.denominator()).map(|(f, e)| (f.clone(), e)).collect();
         for (factor, exponent) in denominator {

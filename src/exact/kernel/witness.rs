@@ -231,11 +231,16 @@ impl<'a> Point<'a> {
         if power % order > 0 {
             return Err(Reject::NoValue);
         }
-        let base = Expr::Number((over / under).to_big());
-        let root = self.lowered(&Expr::Power(base.into(), exponent.clone().into()))?;
-        let root = root.as_constant().ok_or(Reject::NoValue)?;
+        let root = self.raised(over / under, exponent.clone())?;
         let power = u32::try_from(power / order).map_err(|_| Reject::TooLarge)?;
         Ok(InPi::power(power)?.scaled(&root))
+    }
+
+    /// A power of a number, where it is rational.
+    fn raised(&mut self, base: Rational, exponent: Expr) -> Result<Rational, Reject> {
+        let base = Expr::Number(base.to_big());
+        let value = self.lowered(&Expr::Power(base.into(), exponent.into()))?;
+        value.as_constant().ok_or(Reject::NoValue)
     }
 
     /// The value of an unknown, where it is rational.
@@ -349,12 +354,7 @@ impl<'a> Point<'a> {
             }
             Expr::Power(base, exponent) => {
                 let (base, exponent) = (evaluated(base)?, evaluated(exponent)?);
-                let power = Expr::Power(
-                    Expr::Number(base.to_big()).into(),
-                    Expr::Number(exponent.to_big()).into(),
-                );
-                let value = self.lowered(&power)?;
-                value.as_constant().ok_or(Reject::NoValue)
+                self.raised(base, Expr::Number(exponent.to_big()))
             }
             // That every term has a value is among the conditions of what the sum stands in.
             Expr::Series {

@@ -1,18 +1,11 @@
 //! Points in the kernel's terms where functions or `\pi` occur: which symbols are left open, and which values are
 //! polynomials in π.
 
-use std::sync::Arc;
-
-use num_traits::{One, ToPrimitive};
-
 use crate::algebra::{
-    Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var, sign_of_fraction,
+    Atom, Atoms, Expr, Fraction, Function, Polynomial, Rational, Symbol, Var, sign_of_fraction,
 };
 use crate::kernel::{Assignment, Claim, Fact, Origin, Problem, Sign};
 use crate::sorted::{self, Map};
-
-/// Roots of a higher order are not looked at.
-const HIGHEST_ORDER: u32 = 4;
 
 /// How deep the tree of fractions is descended.
 const MOST_STEPS: usize = 1_000;
@@ -313,18 +306,21 @@ pub fn without_factor(polynomial: &Polynomial, var: Var) -> Polynomial {
 }
 
 /// Writes the values that depend on what was put in for `\pi` as polynomials in it: each equation with π in it is
-/// solved for one symbol that is linear in it.
-pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mut Assignment) {
+/// solved for one symbol that is linear in it. `roots` say what the roots among the unknowns are, `s^2 - 4 \pi D = 0`.
+pub fn in_terms_of_pi(
+    problem: &Problem,
+    (atoms, roots): (&Atoms, &[Polynomial]),
+    values: &Map<Var, Rational>,
+    point: &mut Assignment,
+) {
     let Some(pi) = problem.pi() else {
         return;
     };
     point.symbols.remove(&Symbol::new("\\pi"));
     let equations = problem.facts.iter().filter(|f| f.sign == Sign::Zero);
-    let equations = equations.map(|fact| fact.polynomial.clone());
+    let equations = equations.map(|fact| &fact.polynomial).chain(roots);
     // What has π for a factor throughout is so whatever that is.
-    let plain: Vec<Polynomial> = (equations.chain(roots_of(problem, pi)))
-        .map(|own| without_factor(&own, pi))
-        .collect();
+    let plain: Vec<Polynomial> = equations.map(|own| without_factor(own, pi)).collect();
     let mut pending: Vec<&Polynomial> = plain.iter().collect();
     let all = pending.clone();
     let speak_of = |equations: &[&Polynomial], var: Var| {
@@ -336,7 +332,7 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
         values,
         lifted: Map::new(),
     };
-    let is_symbol = |var: Var| matches!(problem.atoms.atom(var), Atom::Symbol(_));
+    let is_symbol = |var: Var| matches!(atoms.atom(var), Atom::Symbol(_));
     loop {
         // What changes in one equation may stand in one before it.
         let depends = |equation: &Polynomial| {
@@ -385,7 +381,7 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
         in_pi = with_multiple.unwrap_or(in_pi);
     }
     for (var, value) in in_pi.lifted {
-        let Atom::Symbol(symbol) = problem.atoms.atom(var) else {
+        let Atom::Symbol(symbol) = atoms.atom(var) else {
             continue;
         };
         let parts = value.in_powers_of(pi).into_iter();
@@ -402,30 +398,6 @@ pub fn in_terms_of_pi(problem: &Problem, values: &Map<Var, Rational>, point: &mu
             }
         }
     }
-}
-
-/// What roots with π in them are, `s^2 - 4 \pi D = 0` of `s = \sqrt{4 \pi D}`.
-fn roots_of(problem: &Problem, pi: Var) -> Vec<Polynomial> {
-    let mut atoms = problem.atoms.clone();
-    let roots = problem.atoms.iter().filter_map(|(var, atom)| match atom {
-        Atom::Opaque(Expr::Power(base, exponent)) => match &**exponent {
-            Expr::Number(number) if number.numer().is_one() => {
-                Some((var, base, number.denom().to_u32()?))
-            }
-            _ => None,
-        },
-        _ => None,
-    });
-    let roots: Vec<(Var, &Arc<Expr>, u32)> = roots.collect();
-    let equation = |(var, base, order): (Var, &Arc<Expr>, u32)| {
-        let value = problem.lowering_over(&mut atoms).lower(base).ok()?;
-        let below = value.expanded_denominator().ok()?;
-        let root = Polynomial::var(var).pow(order).ok()?;
-        let equation = root.times(&below).ok()?.minus(value.numerator());
-        (equation.degree_in(pi) > 0).then_some(equation)
-    };
-    let few = roots.into_iter().filter(|own| own.2 <= HIGHEST_ORDER);
-    few.filter_map(equation).collect()
 }
 
 /// Values of which some are polynomials in π.

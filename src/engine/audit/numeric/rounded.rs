@@ -437,18 +437,15 @@ fn as_rounded(judged: &Judged, page: &Page) -> Goal {
 /// half a unit of its last digit wide.
 fn near_summands(goal: Goal) -> Goal {
     const LEAST: i64 = 100;
-    let parted = |term: &Expr| -> Option<(BigRational, Vec<Expr>)> {
+    let parted = |term: &Expr| {
         let (negative, term) = match term {
             Expr::Negate(inner) => (true, &**inner),
             term => (false, term),
         };
-        let (number, unit) = match term {
-            Expr::Number(number) => (number, Vec::new()),
-            Expr::Product(factors) => match factors.split_first()? {
-                (Expr::Number(number), unit) => (number, unit.to_vec()),
-                _ => return None,
-            },
-            _ => return None,
+        let number = number_of(term)?;
+        let unit = match term {
+            Expr::Product(factors) => factors[1..].to_vec(),
+            _ => Vec::new(),
         };
         let is_long = number.is_integer() && *number >= BigRational::from_integer(LEAST.into());
         let number = if negative { -number } else { number.clone() };
@@ -461,9 +458,8 @@ fn near_summands(goal: Goal) -> Goal {
         let parted: Option<Vec<(BigRational, Vec<Expr>)>> = terms.iter().map(parted).collect();
         let parted = parted?;
         let unit = &parted.first()?.1;
-        let is_figures = unit.iter().all(is_figures);
         let sum: BigRational = parted.iter().map(|(number, _)| number).sum();
-        let is_one = is_figures && parted.iter().all(|(_, own)| own == unit) && !sum.is_zero();
+        let is_one = parted.iter().all(|(_, own)| own == unit) && !sum.is_zero();
         let width = BigRational::new(parted.len().into(), 2.into());
         is_one.then(|| width / sum.abs())
     };

@@ -8,7 +8,9 @@ use super::super::functions::{in_terms_of_pi, leave_open, needs, positive_expone
 use super::super::point::{Target, Wanted, satisfies};
 use super::super::values::candidates;
 use super::facts::{measured_in_units, negation, roots};
-use crate::algebra::{Atom, Atoms, Expr, Lowering, Rational, Symbol, Var, element_parts};
+use crate::algebra::{
+    Atom, Atoms, Expr, Lowering, Polynomial, Rational, Symbol, Var, element_parts,
+};
 use crate::kernel::{Assignment, Claim, Domain, Fact, Obligation, Origin, Sign, definition};
 use crate::sorted::Map;
 
@@ -34,6 +36,8 @@ pub(super) struct Concrete<'a> {
     pub obligation: Posed<'a>,
     /// The problem's unknowns, and those of what roots are taken of.
     atoms: Cow<'a, Atoms>,
+    /// What roots with π in them are, `s^2 - 4 \pi D = 0`.
+    roots: Vec<Polynomial>,
     pub target: Target,
     wanted: Wanted,
 }
@@ -84,11 +88,19 @@ impl<'a> Concrete<'a> {
             Posed::Itself(obligation) => Cow::Borrowed(&obligation.as_written().atoms),
             Posed::Sized(obligation) => Cow::Owned(obligation.as_written().atoms.clone()),
         };
+        let mut root_equations = Vec::new();
         if atoms
             .iter()
             .any(|(_, atom)| matches!(atom, Atom::Opaque(_)))
         {
-            facts.extend(roots(atoms.to_mut())?);
+            let about_roots = roots(atoms.to_mut())?;
+            if let Some(pi) = problem.pi() {
+                let has_pi =
+                    |own: &&Fact| own.sign == Sign::Zero && own.polynomial.degree_in(pi) > 0;
+                let equations = about_roots.iter().filter(has_pi);
+                root_equations.extend(equations.map(|own| own.polynomial.clone()));
+            }
+            facts.extend(about_roots);
             facts.extend(match wanted {
                 Wanted::Exponentials => positive_exponents(obligation.as_written()),
                 _ => needs(obligation.claim(), obligation.as_written()),
@@ -111,6 +123,7 @@ impl<'a> Concrete<'a> {
         Some(Concrete {
             obligation,
             atoms,
+            roots: root_equations,
             target,
             wanted,
         })
@@ -145,7 +158,7 @@ impl<'a> Concrete<'a> {
             &mut point,
         );
         let problem = self.obligation.as_written();
-        in_terms_of_pi(problem, values, &mut point);
+        in_terms_of_pi(problem, (&self.atoms, &self.roots), values, &mut point);
         if self.wanted != Wanted::Exponentials {
             leave_open(self.obligation.claim(), problem, values, &mut point);
         }
