@@ -247,10 +247,14 @@ impl Auditor<'_> {
             let mut from = own.assumed.clone();
             from.retain(|own| !under.contains(&own.formula));
             from.extend(under.iter().map(judge::taken));
-            // Where nothing can be so, anything would have been shown: `\sqrt{-K p}` where `K > 0` and `p > 0`.
+            // Where nothing can be so, anything would have been shown: `\sqrt{-K p}` where `K > 0` and `p > 0`. What is shown has values
+            // itself, and so it is supposed, too.
             let is_contradictory = || {
                 let judge = judge::Judge::new(self, how.at, how.usable);
-                judge.is_contradictory(&from, &own.goal)
+                let with_shown: Vec<Assumed> = (from.iter().cloned())
+                    .chain([judge::taken(&own.goal.formula)])
+                    .collect();
+                judge.is_contradictory(&with_shown, &own.goal)
             };
             if !under.is_empty() && is_contradictory() {
                 continue;

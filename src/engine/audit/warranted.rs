@@ -127,6 +127,7 @@ impl Auditor<'_> {
                     && is_spoken_of(own)
                     && !only_names(own)
                     && !self.leaves_out_in_words(how.at, own)
+                    && !self.supposes_in_words(how.at)
         })
     }
 
@@ -140,6 +141,21 @@ impl Auditor<'_> {
         let says_none = |pair: &[String]| pair == ["with", "no"];
         (words.iter().any(|word| LEFT_OUT.contains(&&**word)) || words.windows(2).any(says_none))
             && judged.assumed.iter().any(is_left)
+    }
+
+    /// Whether the sentence before a step supposes something in words alone: "If the source shines exactly at the limit (3), we may eliminate".
+    fn supposes_in_words(&self, at: usize) -> bool {
+        const SIGNS: [&str; 9] = [
+            "=", "<", ">", "\\l", "\\g", "\\ne", "\\to", "\\approx", "\\sim",
+        ];
+        let said = self.derivation.leading(at).unwrap_or_default();
+        let mut found = said.match_indices("if ").chain(said.match_indices("If "));
+        let Some((begin, _)) = found.find(|(at, _)| !said[..*at].ends_with(char::is_alphabetic))
+        else {
+            return false;
+        };
+        let clause = said[begin..].split(',').next().unwrap_or_default();
+        !SIGNS.iter().any(|sign| clause.contains(sign))
     }
 
     /// Whether a bound is wrong for positive numbers, too, and so is what is said to be a root: most authors speak of no others, and few say

@@ -3,7 +3,7 @@
 //! Both are one quantity where a page has both and is solved for it somewhere, wherever the argument is the same symbol. Not where a term or a statement speaks
 //! of both in two ways, where a sum or a limit goes over the argument, nor where it is another elsewhere: `f(s)` beside `f(t)`.
 //!
-//! The value at a number, `y(0)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope. So is the value at what
+//! The value at a number, `y(0)` or `y(\pi)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope. So is the value at what
 //! names a special value of the argument, `y(t_1)`, where the argument is left out elsewhere, or a law says by what it is differentiated.
 
 use std::collections::BTreeSet;
@@ -102,6 +102,14 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     map_terms(page, equations, |term| without(term, &functions));
 }
 
+/// Whether an argument is a number, π among them: that is a place, and nothing that a quantity depends on.
+fn is_number(argument: &Expr) -> bool {
+    match argument {
+        Expr::Symbol(own) => own.name() == "\\pi",
+        own => matches!(own, Expr::Number(_)),
+    }
+}
+
 /// The one symbol of which all other arguments name special values.
 fn the_argument(all: &BTreeSet<Symbol>) -> Option<&Symbol> {
     let is_it = |own: &&Symbol| {
@@ -148,7 +156,7 @@ fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, S
         Expr::Apply(name, arguments) => {
             let known = own.entry(name.clone()).or_default();
             match &arguments[..] {
-                [Expr::Number(_)] => known.valued = true,
+                [place] if is_number(place) => known.valued = true,
                 [Expr::Symbol(argument)] if !bound.contains(&argument) => {
                     known.arguments.insert(argument.clone());
                 }
@@ -164,11 +172,7 @@ fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, S
             body,
             point: LimitPoint::Finite(place),
             ..
-        } if matches!(
-            (&**body, &**place),
-            (Expr::Derivative { .. }, Expr::Number(_))
-        ) =>
-        {
+        } if matches!((&**body, is_number(place)), (Expr::Derivative { .. }, true)) => {
             see(body, bound, own);
         }
         Expr::Limit { variable, .. } => within(term, variable, bound, own),
@@ -214,7 +218,7 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
         (Expr::Symbol(place), Some((argument, true))) => {
             place != argument && (place.is_variant_of(argument) || names_a_place(place))
         }
-        (place, _) => matches!(place, Expr::Number(_)),
+        (place, _) => is_number(place),
     };
     match &arguments[..] {
         [place] if is_place(place) => match plain(name).or_else(slope) {

@@ -6,8 +6,8 @@ use std::collections::BTreeSet;
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::document::{Inline, Span};
 use crate::notation::{
-    Before, BeforeKind, Clause, Statement, SyntaxError, has_units, is_figures, read_expr,
-    read_symbol,
+    Before, BeforeKind, Clause, Statement, SyntaxError, has_units, is_degrees, is_figures,
+    read_expr, read_symbol,
 };
 
 use super::called::Called;
@@ -213,7 +213,14 @@ pub(super) fn refuse(
     let angles = of(BeforeKind::Degrees);
     let angles: BTreeSet<Symbol> = angles.into_iter().filter(|name| declared(name)).collect();
     let multiplied = of(BeforeKind::Quantity);
-    let all = [&functions, &symbols, &angles, &values, &multiplied];
+    let all = [
+        &functions,
+        &factors,
+        &symbols,
+        &angles,
+        &values,
+        &multiplied,
+    ];
     if all.into_iter().all(BTreeSet::is_empty) {
         return;
     }
@@ -295,7 +302,7 @@ fn no_value(name: &Symbol) -> (String, String) {
 }
 
 /// Whether a name before a quantity in parentheses is all that a statement begins with: `\delta(50\,\mathrm{Hz}) = 9.35\,\mathrm{mm}` tells what
-/// `\delta` is there.
+/// `\delta` is there, and so does `E'(180^\circ) = 184\,\mathrm{keV}`.
 fn is_told_there(statements: &[Statement], before: &Before) -> bool {
     let is_told = |clause: &Clause| match clause {
         Clause::Chain { sides, .. } => {
@@ -303,7 +310,8 @@ fn is_told_there(statements: &[Statement], before: &Before) -> bool {
             let is_figure = |own: &Expr| {
                 matches!(own, Expr::Symbol(own) if *own == before.name) || is_figures(own)
             };
-            side.span == before.span && has_units(&side.expr) && side.expr.children().all(is_figure)
+            let is_measured = || has_units(&side.expr) || side.expr.any(&is_degrees);
+            side.span == before.span && is_measured() && side.expr.children().all(is_figure)
         }
         Clause::AllEqual { .. } => false,
     };

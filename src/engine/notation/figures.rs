@@ -81,6 +81,7 @@ pub(crate) fn units_beside(term: &Expr) -> Option<Vec<Expr>> {
             units.push(Expr::Power(under.clone(), Expr::integer(-1).into()));
             Some(units)
         }
+        Expr::Negate(inner) => units_beside(inner),
         _ => None,
     }
 }
@@ -92,7 +93,7 @@ pub(super) fn degrees(number: Expr) -> Expr {
 }
 
 /// Whether a term is what degrees come to.
-pub(super) fn is_degrees(term: &Expr) -> bool {
+pub(crate) fn is_degrees(term: &Expr) -> bool {
     let Expr::Quotient(over, under) = term else {
         return false;
     };

@@ -29,7 +29,9 @@ mod typeset;
 mod unit;
 
 pub(crate) use commands::is_command;
-pub(crate) use figures::{has_decimals, has_units, in_si, is_figures, units_beside, without_units};
+pub(crate) use figures::{
+    has_decimals, has_units, in_si, is_degrees, is_figures, units_beside, without_units,
+};
 pub use lexer::is_constant_word;
 pub(crate) use parser::{angle_of, argument_of};
 pub use printer::{

@@ -313,6 +313,9 @@ impl Parser<'_> {
     fn concentration(&self, at: usize) -> Option<(String, usize)> {
         let left = self.left(at);
         let mut at = at + left + 1;
+        if let Some(found) = self.element_with_index(at).filter(|_| left == 0) {
+            return Some(found);
+        }
         let (mut word, mut charge) = (String::new(), String::new());
         loop {
             match (self.kind(at), self.kind(at + 1), self.kind(at + 2)) {
@@ -361,6 +364,35 @@ impl Parser<'_> {
             && (capital || word.chars().count() > 1 && unit::read(&word).is_err());
         let name = || format!("[{}]", charged(&word, &charge));
         (closes && is_name).then(|| (name(), at + right + 1))
+    }
+
+    /// The name of the concentration of an element in italics, `Na]_o`, and the token after its bracket. Brackets with an index alone are
+    /// nothing else: those around what is evaluated have a limit above, too.
+    fn element_with_index(&self, at: usize) -> Option<(String, usize)> {
+        let Kind::Letter(first) = self.kind(at) else {
+            return None;
+        };
+        let second = match self.kind(at + 1) {
+            Kind::Letter(letter) if letter.is_ascii_lowercase() => Some(letter),
+            _ => None,
+        };
+        let close = at + 1 + usize::from(second.is_some());
+        let has_index = first.is_ascii_uppercase()
+            && self.kind(close) == Kind::Char(']')
+            && self.kind(close + 1) == Kind::Char('_');
+        let mut depth = 0usize;
+        let mut within = (close + 2..close + FAR).take_while(|&at| {
+            match self.kind(at) {
+                Kind::Open => depth += 1,
+                Kind::Close => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            depth > 0
+        });
+        let after = within.by_ref().last().map_or(close + 2, |last| last + 1) + 1;
+        let word: String = [Some(first), second].into_iter().flatten().collect();
+        (has_index && self.kind(after) != Kind::Char('^'))
+            .then(|| (format!("[{}]", charged(&word, "")), close + 1))
     }
 
     /// Whether what stands in brackets here may be the unit of the name or the number before it: `I\,[\mathrm{A}]`.

@@ -6,7 +6,7 @@ use std::cell::{Cell, LazyCell};
 use num_traits::Signed;
 
 use crate::algebra::{BigRational, Expr, Formula, Symbol, Values, element_symbol};
-use crate::kernel::{Assignment, Claim, Hypothesis, Standing, definition};
+use crate::kernel::{Assignment, Claim, Hypothesis, Standing, applied_definition, definition};
 use crate::sorted::{self, Map, Set};
 
 /// In place of a number of elements, an exponent of one half: that of what lies between 0 and 1.
@@ -162,7 +162,7 @@ pub(super) fn at_sizes(claim: &Claim, counts: &[Symbol], sizes: &[i64]) -> Optio
                 false => e,
             }
         });
-        without_series(&at, &left)
+        holding_elements(&without_series(&at, &left), claim)
     };
     let mut domains = claim.domains.clone();
     for (sequence, domain) in &claim.sequences {
@@ -262,6 +262,36 @@ fn without_series(expr: &Expr, left: &Cell<usize>) -> Expr {
     expr.map_children(|child| without_series(child, left))
 }
 
+/// A term in which the elements of a sequence are held fixed, each of them, where the sequence is.
+fn holding_elements(expr: &Expr, claim: &Claim) -> Expr {
+    let is_sequence = |symbol: &Symbol| claim.sequences.contains_key(symbol);
+    if !expr.any(&|part| part.held().iter().any(is_sequence)) {
+        return expr.clone();
+    }
+    let own = expr.map_children(|child| holding_elements(child, claim));
+    match own {
+        Expr::Partial {
+            body,
+            variable,
+            held: Some(held),
+        } => {
+            let each = |symbol: &Symbol| match is_sequence(symbol) {
+                true => {
+                    let positions = 1..=MOST_ELEMENTS as u32;
+                    positions.map(|at| element_symbol(symbol, at)).collect()
+                }
+                false => vec![symbol.clone()],
+            };
+            Expr::Partial {
+                body,
+                variable,
+                held: Some(held.iter().flat_map(each).collect()),
+            }
+        }
+        own => own,
+    }
+}
+
 /// A statement about a definite number of elements as equations between them.
 fn written_out(formula: Formula) -> Option<Vec<Formula>> {
     let Formula::AllEqual {
@@ -322,7 +352,9 @@ pub(super) fn restored(
         .copied()
         .filter(|&at| {
             let formula = &claim.hypotheses[at].formula;
-            definition(formula).is_some_and(|(s, _)| !counts.contains(&s))
+            let is_count =
+                |own: Option<(Symbol, Expr)>| own.is_none_or(|(s, _)| counts.contains(&s));
+            applied_definition(formula).is_some() || !is_count(definition(formula))
         })
         .collect();
     let mut ordered = point.clone();
