@@ -56,7 +56,22 @@ impl Auditor<'_> {
         };
         let is_used = |premise: &usize| used.contains(&Source::Equation(*premise));
         let uses_all = premises.iter().all(is_used) || used.iter().any(|s| self.is_told(at, s));
-        uses_all && used.iter().all(is_near)
+        uses_all && (used.iter().all(is_near) || self.counts_equations(at))
+    }
+
+    /// Whether the sentence before a step names an equation by its place among others: "Inserting (2) in the second and multiplying by".
+    fn counts_equations(&self, at: usize) -> bool {
+        const PLACES: [&str; 6] = ["first", "second", "third", "former", "latter", "other"];
+        const AFTER: [&str; 8] = [
+            "equation", "one", "relation", "and", "gives", "yields", "leads", "we",
+        ];
+        let words = self.derivation.leading_words(at);
+        (1..words.len()).any(|at| {
+            let next = words.get(at + 1).map(String::as_str);
+            words[at - 1] == "the"
+                && PLACES.contains(&&*words[at])
+                && next.is_none_or(|next| AFTER.contains(&next))
+        })
     }
 }
 

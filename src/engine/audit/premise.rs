@@ -419,16 +419,29 @@ fn leave_what_is_beyond(page: &Page, usable: &mut Usable) {
 
 /// Of `L = T - V = w`, where `L` is differentiated partially, also that `L = w`: that may be the formula of which this is meant.
 fn add_formulas(assumed: &mut Vec<Assumed>, dependent: &Set<Symbol>) {
+    let found = ends_of_chains(assumed.iter(), |name| dependent.contains(name));
+    for formula in found {
+        if !assumed.contains(&formula) {
+            assumed.push(formula);
+        }
+    }
+}
+
+/// Of `L = T - V = w` that `L = w`, for chains that begin with a name such as is asked for.
+pub(in crate::audit) fn ends_of_chains<'a>(
+    assumed: impl Iterator<Item = &'a Assumed>,
+    begins: impl Fn(&Symbol) -> bool,
+) -> Vec<Assumed> {
     let mut found: Vec<Assumed> = Vec::new();
     // The last link of a chain that begins with such a name, and the name.
     let mut chain: Option<(&Assumed, &Expr)> = None;
-    for link in assumed.iter() {
+    for link in assumed {
         let Some((left, right)) = link.formula.as_equation() else {
             chain = None;
             continue;
         };
         chain = match (left, chain) {
-            (Expr::Symbol(name), _) if dependent.contains(name) => Some((link, left)),
+            (Expr::Symbol(name), _) if begins(name) => Some((link, left)),
             (_, Some((before, name)))
                 if before.source == link.source
                     && before
@@ -445,9 +458,5 @@ fn add_formulas(assumed: &mut Vec<Assumed>, dependent: &Set<Symbol>) {
             _ => None,
         };
     }
-    for formula in found {
-        if !assumed.contains(&formula) {
-            assumed.push(formula);
-        }
-    }
+    found
 }

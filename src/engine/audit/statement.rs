@@ -1,7 +1,7 @@
 //! One statement judged from what it may use: its links one after another, and what they come to together.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Equation, Goal, Kind, Source, goals};
+use crate::derivation::{Assumed, Beyond, Equation, Goal, Kind, Source, goals};
 use crate::kernel::Standing;
 use crate::notation::{Connective, Statement};
 use crate::search::{self, Consistency, Decision};
@@ -388,8 +388,10 @@ impl Auditor<'_> {
                 "it may follow from what it cites and is derived for a case",
             );
         }
+        // Nor does what is said of complex numbers say anything of a slip in real ones.
         if entry.verdict == Verdict::Fails
             && let Some(own) = usable.beyond
+            && !(own == Beyond::Complex && entry.mended.is_some())
         {
             leave_open(entry, beyond(own));
         }

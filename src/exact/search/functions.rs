@@ -30,9 +30,8 @@ pub fn leave_open(
         let Some((symbol, value)) = open_in(claim, problem, argument) else {
             continue;
         };
-        let size = value.numerator().leading().map(|(_, c)| c.abs());
         let own = (
-            size.unwrap_or_else(Rational::zero),
+            slope_at(problem, &symbol, &value, values),
             *function,
             (**argument).clone(),
         );
@@ -68,8 +67,67 @@ pub fn leave_open(
     }
 }
 
+/// How steep an argument is at a point in the symbol that is left open in it; where that is not known, by its numbers alone.
+fn slope_at(
+    problem: &Problem,
+    symbol: &Symbol,
+    argument: &Fraction,
+    values: &Map<Var, Rational>,
+) -> Rational {
+    let evaluated = |polynomial: &Polynomial| {
+        let value = polynomial.evaluate(|var| values.get(&var).cloned());
+        value.ok().flatten().filter(|value| !value.is_zero())
+    };
+    let at_point = || {
+        let own = problem.atoms.find(&Atom::Symbol(symbol.clone()))?;
+        let above = argument.numerator().coefficient_of_power(own, 1);
+        let below = argument.expanded_denominator().ok()?;
+        Some(evaluated(&above)? / evaluated(&below)?)
+    };
+    let by_numbers = || argument.numerator().leading().map(|(_, c)| c.clone());
+    let slope = at_point().or_else(by_numbers);
+    slope.map_or_else(Rational::zero, |own| own.abs())
+}
+
 /// The symbol that can be left open in an argument, and the argument.
 fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol, Fraction)> {
+    let (mut found, value) = candidates(claim, problem, argument)?;
+    // Of two in one exponent one has a value: `k` of `k t`, where nothing but `t` can be left open in another.
+    if found.len() > 1 {
+        let only = |atom: &Atom| {
+            let Atom::Opaque(Expr::Call(Function::Exp, other)) = atom else {
+                return None;
+            };
+            match &candidates(claim, problem, other)?.0[..] {
+                [only] => Some(only.clone()),
+                _ => None,
+            }
+        };
+        let all = problem.atoms.iter();
+        let forced: Vec<Symbol> = all.filter_map(|(_, atom)| only(atom)).collect();
+        if found.iter().any(|own| forced.contains(own)) {
+            found.retain(|own| forced.contains(own));
+        }
+    }
+    // What stands in few arguments ties few of them together: `m` of `m t` beside `d t`.
+    let calls = |symbol: &Symbol| {
+        let all = problem.atoms.iter();
+        let in_call = |atom: &Atom| match atom {
+            Atom::Opaque(Expr::Call(_, argument)) => argument.mentions(symbol),
+            _ => false,
+        };
+        all.filter(|(_, atom)| in_call(atom)).count()
+    };
+    let symbol = found.into_iter().min_by_key(calls)?;
+    Some((symbol, value))
+}
+
+/// The symbols that could be left open in an argument, and the argument.
+fn candidates(
+    claim: &Claim,
+    problem: &Problem,
+    argument: &Expr,
+) -> Option<(Vec<Symbol>, Fraction)> {
     let mut atoms = problem.atoms.clone();
     let value = problem.lowering_over(&mut atoms).lower(argument).ok()?;
     let content = value.numerator().content();
@@ -81,17 +139,8 @@ fn open_in(claim: &Claim, problem: &Problem, argument: &Expr) -> Option<(Symbol,
         let open = exponent == 1 && !below && is_open(claim, problem, symbol);
         open.then(|| symbol.clone())
     });
-    // What stands in few arguments ties few of them together: `m` of `m t` beside `d t`.
-    let calls = |symbol: &Symbol| {
-        let all = problem.atoms.iter();
-        let in_call = |atom: &Atom| match atom {
-            Atom::Opaque(Expr::Call(_, argument)) => argument.mentions(symbol),
-            _ => false,
-        };
-        all.filter(|(_, atom)| in_call(atom)).count()
-    };
-    let symbol = found.min_by_key(calls)?;
-    Some((symbol, value))
+    let found = found.collect();
+    Some((found, value))
 }
 
 /// What a point needs for the functions in it to have values: something in their argument that can be left open, all
@@ -168,6 +217,44 @@ pub fn needs(claim: &Claim, problem: &Problem) -> Vec<Fact> {
         };
         need(argument, Sign::Zero);
         need(own, Sign::Zero);
+    }
+    facts
+}
+
+/// What lets several exponentials of one symbol have values at once, `e^{a t}` and `e^{b t}`: that the exponents are as 1, 2, 3 and so on, and
+/// the exponentials powers of the first. Nothing where there are no two of them.
+pub fn tied_exponents(claim: &Claim, problem: &Problem) -> Vec<Fact> {
+    let mut families: Map<Symbol, Vec<(Var, Polynomial, Polynomial)>> = Map::new();
+    for (var, atom) in problem.atoms.iter() {
+        if let Atom::Opaque(Expr::Call(Function::Exp, argument)) = atom
+            && let Some((symbol, value)) = open_in(claim, problem, argument)
+            && let Ok(below) = value.expanded_denominator()
+        {
+            let family = families.entry(symbol).or_default();
+            family.push((var, value.numerator().clone(), below));
+        }
+    }
+    let mut facts = Vec::new();
+    for family in families.into_values() {
+        let Some(((first, above, below), others)) = family.split_first() else {
+            continue;
+        };
+        for (multiple, (var, own, under)) in (2_u32..).zip(others) {
+            let pair = (own.times(below), above.times(under));
+            let (Ok(own), Ok(as_first)) = pair else {
+                continue;
+            };
+            let times = Rational::from(multiple);
+            let Ok(power) = Polynomial::var(*first).pow(multiple) else {
+                continue;
+            };
+            let exponent = own.minus(&as_first.scaled(&times));
+            let value = Polynomial::var(*var).minus(&power);
+            facts.extend([exponent, value].map(|polynomial| Fact {
+                polynomial: polynomial.without_content().1.into_owned(),
+                sign: Sign::Zero,
+            }));
+        }
     }
     facts
 }

@@ -190,7 +190,13 @@ fn refuted_beyond(obligation: &Obligation, budget: usize) -> Option<Refuted> {
         first(&mut points, budget, accepts)
     };
     let any = || first(&mut refute::Points::any(obligation), budget, accepts);
+    let powers = || {
+        let tied = functions::tied_exponents(obligation.claim(), obligation.as_written());
+        let mut points = (!tied.is_empty()).then(|| refute::Points::of_powers(obligation))?;
+        first(&mut points, budget, accepts)
+    };
     any()
+        .or_else(powers)
         .or_else(exponentials)
         .or_else(|| algebraic::first(obligation, true, accepts))
 }

@@ -33,6 +33,8 @@ pub enum Wanted {
     Any,
     /// One at which every symbol has a value, and exponentials are powers of `e`.
     Exponentials,
+    /// One at which several exponentials of one symbol are powers of one of them.
+    Powers,
 }
 
 /// What came of trying all choices up to a cost.
@@ -476,7 +478,7 @@ impl Search<'_> {
     fn next_var(&self, state: &State) -> Option<(Var, bool)> {
         let unknowns = |equation: &&Rc<Open>| equation.vars.met.0.count_ones();
         let urgent = match self.wanted {
-            Wanted::Any | Wanted::Exponentials => self.urgent(state),
+            Wanted::Any | Wanted::Exponentials | Wanted::Powers => self.urgent(state),
             Wanted::Simple => None,
         };
         if let Some(var) = urgent {

@@ -65,6 +65,11 @@ impl<'a> Points<'a> {
         Points::prepared(obligation, true, Wanted::Exponentials)
     }
 
+    /// The same where several exponentials of one symbol are powers of one of them.
+    pub fn of_powers(obligation: &'a Obligation) -> Self {
+        Points::prepared(obligation, true, Wanted::Powers)
+    }
+
     /// Prepares a search for points at which the hypotheses hold; the goal is left alone.
     pub fn of_premises(obligation: &'a Obligation) -> Self {
         Points::prepared(obligation, false, Wanted::Any)

@@ -17,6 +17,7 @@ use crate::derivation::{Approach, Assumed, Goal, sizes};
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, sources};
+use super::super::premise::ends_of_chains;
 use super::limiting::written_out;
 use crate::sorted::Set;
 
@@ -73,8 +74,12 @@ impl Judge<'_> {
         let all: Vec<&Assumed> = cited.iter().copied().chain(others).collect();
         let mut failing = None;
         for (is_cited, from) in [(true, &cited), (false, &all)] {
-            // What the right side speaks of is meant to stay.
-            let (body, used) = written_out(left, &right.free_symbols(), from, &|_| false);
+            // What the right side speaks of is meant to stay, and what speaks of nothing else is put in before other things: the end of a chain.
+            let kept = right.free_symbols();
+            let ends = ends_of_chains(from.iter().copied(), |_| true);
+            let from: Vec<&Assumed> = from.iter().copied().chain(&ends).collect();
+            let speaks_of_these = |value: &Expr| value.free_symbols().is_subset(&kept);
+            let (body, used) = written_out(left, &kept, &from, &speaks_of_these);
             let written = Written {
                 left: body,
                 right: right.clone(),

@@ -150,20 +150,21 @@ impl Judge<'_> {
             found.leave_open(super::ELEMENT);
             return;
         }
-        let formulas = || all.iter().map(|own| &*own.formula).chain([&goal.formula]);
-        // Of what is put in for `y` the slope of `x` is taken, too.
-        let is_slope = |symbol: &Symbol, value: &Expr| {
+        // Of what is put in for `y` the slope of `x` is taken, too; that it is a slope itself, `\tau = -\mu \frac{du}{dr}`, is none of those.
+        let is_slope = |law: &Formula, symbol: &Symbol, value: &Expr| {
             let takes = |part: &Expr| match part {
                 Expr::Derivative { variable, .. } => variable != symbol && value.mentions(variable),
                 _ => false,
             };
-            formulas().any(|own| own.terms().into_iter().any(|term| term.any(&takes)))
+            let formulas = all.iter().map(|own| &*own.formula);
+            let mut formulas = formulas.filter(|own| *own != law).chain([&goal.formula]);
+            formulas.any(|own| own.terms().into_iter().any(|term| term.any(&takes)))
         };
         let mut put = all.iter().filter(|own| {
             matches!(own.source, Source::Local(..)) && own.standing == Standing::AtPoint
         });
         let moving = put.find(|own| match own.formula.as_equation() {
-            Some((Expr::Symbol(symbol), value)) => is_slope(symbol, value),
+            Some((Expr::Symbol(symbol), value)) => is_slope(&own.formula, symbol, value),
             _ => false,
         });
         if let Some(own) = moving {

@@ -16,7 +16,7 @@ use super::conditions::collect_waves;
 use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named};
 
 /// What a solution comes after, where nothing else says that it is one.
-const SOLVING: [&str; 16] = [
+const SOLVING: [&str; 17] = [
     "solve",
     "solved",
     "solves",
@@ -28,6 +28,7 @@ const SOLVING: [&str; 16] = [
     "integrates",
     "integrating",
     "integration",
+    "integral",
     "separate",
     "separating",
     "separation",
@@ -181,7 +182,7 @@ impl Judge<'_> {
         }
         let near = &self.others(premises)[0];
         let laws = || self.usable.assumed.iter().chain(near);
-        let mut moved = Formula::differentiated_in(laws().map(|own| &*own.formula));
+        let mut moved = standing_in_slopes(laws().map(|own| &*own.formula));
         moved.retain(|own| left.mentions(own) && !right.mentions(own));
         let of = moved.pop_first().filter(|_| moved.is_empty())?;
         let variable = self.variable_between(left, &right)?;
@@ -189,7 +190,7 @@ impl Judge<'_> {
             own.standing == Standing::Identity
                 && matches!(own.source, Source::Equation(_))
                 && own.formula.as_equation().is_some()
-                && Formula::differentiated_in([&*own.formula].into_iter()).contains(&of)
+                && standing_in_slopes([&*own.formula].into_iter()).contains(&of)
                 && own.formula.differentiates_by(&variable)
                 && order(&own.formula) > order(&goal.formula)
         };
@@ -335,6 +336,22 @@ fn is_damped_wave(term: &Expr, variable: &Symbol, fixed: &Set<Symbol>) -> bool {
         _ => false,
     });
     has(&[Exp]) && has(&[Sin, Cos]) && !brings_rates
+}
+
+/// What stands below a derivative, by itself or in a product, `\frac{d}{dt}(b e^{k t})`, and is not what is differentiated by.
+fn standing_in_slopes<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
+    fn collect(term: &Expr, found: &mut Set<Symbol>) {
+        if let Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } = term {
+            let own = body.free_symbols().into_iter();
+            found.extend(own.filter(|own| own != variable));
+        }
+        term.children().for_each(|child| collect(child, found));
+    }
+    let mut found = Set::new();
+    for term in formulas.flat_map(Formula::terms) {
+        collect(term, &mut found);
+    }
+    found
 }
 
 /// How often what a formula speaks of is differentiated at most: a law of the first order has no solution that speaks of a slope.

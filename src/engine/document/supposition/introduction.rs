@@ -232,6 +232,9 @@ pub(super) fn introduced(
         word if DEFINING.has(word) && by_us() && value() && leads_to_citation(rest, &INTO) => {
             Some((case, joined(true)))
         }
+        word if DEFINING.has(word) && !begun && value() && names_each(source, rest) => {
+            Some((SuppositionKind::Let, Reach::Sentence))
+        }
         word if DEFINING.has(word) && by_us() && value() => {
             Some((SuppositionKind::Let, joined(true)))
         }
@@ -253,6 +256,20 @@ pub(super) fn introduced(
         _ => None,
     };
     introduced.filter(|_| !negated())
+}
+
+/// Whether a sentence says after the first and the last of its equations what they are put for: "Put $u = T - T_0$ for the excess temperature and
+/// $P = \pi D$ for the perimeter".
+fn names_each(source: &str, rest: &[Placed<'_>]) -> bool {
+    let length = rest.iter().position(|(token, _)| token.is_stop());
+    let sentence = &rest[..length.unwrap_or(rest.len())];
+    let is_put = |at: &usize| stated(source, sentence[*at].0).is_some();
+    let all: Vec<usize> = (0..sentence.len()).filter(is_put).collect();
+    let is_named = |at: &usize| {
+        let next = sentence.get(at + 1);
+        next.is_some_and(|(token, _)| token.is_among(&["for"]))
+    };
+    matches!(&all[..], [first, .., last] if is_named(first) && is_named(last))
 }
 
 /// Whether "first" comes next: "Suppose first that".

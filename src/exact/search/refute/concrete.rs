@@ -4,7 +4,9 @@ use std::borrow::Cow;
 use std::ops::Deref;
 use std::rc::Rc;
 
-use super::super::functions::{in_terms_of_pi, leave_open, needs, positive_exponents};
+use super::super::functions::{
+    in_terms_of_pi, leave_open, needs, positive_exponents, tied_exponents,
+};
 use super::super::point::{Target, Wanted, satisfies};
 use super::super::values::candidates;
 use super::facts::{measured_in_units, negation, roots};
@@ -105,6 +107,9 @@ impl<'a> Concrete<'a> {
                 Wanted::Exponentials => positive_exponents(obligation.as_written()),
                 _ => needs(obligation.claim(), obligation.as_written()),
             });
+            if wanted == Wanted::Powers {
+                facts.extend(tied_exponents(obligation.claim(), obligation.as_written()));
+            }
         }
         facts.extend(measured_in_units(obligation.claim(), &atoms));
         let integers = obligation.claim().domains.iter();
