@@ -1,6 +1,7 @@
 //! Points of claims with limits and integrals, and forgeries of such points: laws that hold at one place alone.
 
-use cradle_verify::kernel::{Claim, Reject};
+use cradle_verify::algebra::{Expr, Function};
+use cradle_verify::kernel::{Assignment, Claim, Reject};
 
 use super::claims::*;
 
@@ -99,4 +100,51 @@ fn what_is_constant_is_so_along_the_way_only_if_the_laws_let_it_be() {
     let tied = slope(&["v^2 + h = c"]);
     assert_eq!(refuted(&tied, at()), Err(Reject::NoCourse));
     assert_eq!(refuted(&tied.at_point(0), at()), Ok(()));
+}
+
+/// `x = A cos(w t)` put into `m x'' + k x = 0`, with all but the time constant; at a moment at which the wave is nought, or not.
+fn swinging(others: &[&str], wave: (i64, i64), symbols: &[(&str, i64)]) -> Result<(), Reject> {
+    let laws = ["x = A \\cos(w t)", "m \\frac{d^2 x}{dt^2} + k x = 0"];
+    let laws: Vec<&str> = laws.iter().chain(others).copied().collect();
+    let swings = ["A", "w", "m"].into_iter();
+    let swings = swings.fold(claim(&laws, "w^2 = 2 k/m"), |claim, name| {
+        claim.domain(name, constant())
+    });
+    let call = |function, value| (Expr::Call(function, term("w t").into()), number(value));
+    let point = Assignment {
+        unfold: vec![0],
+        functions: [call(Function::Sin, wave.0), call(Function::Cos, wave.1)]
+            .into_iter()
+            .collect(),
+        ..point(symbols)
+    };
+    refuted(&swings, point)
+}
+
+#[test]
+fn what_is_nought_with_what_does_not_move_put_in_is_so_all_along() {
+    let at = |k| [("A", 1), ("w", 1), ("m", 1), ("k", k)];
+    assert_eq!(swinging(&[], (1, 0), &at(1)), Ok(()));
+    assert_eq!(swinging(&[], (0, 1), &at(1)), Ok(()));
+    // At one moment alone it may be nought because the wave is.
+    assert_eq!(swinging(&[], (1, 0), &at(2)), Err(Reject::NoCourse));
+}
+
+#[test]
+fn what_moves_is_not_put_in() {
+    let at = [("A", 1), ("w", 1), ("m", 1), ("k", 1), ("q", 1)];
+    // `k` moves with the time, and so `m x'' + k x` does not stay nought.
+    assert_eq!(
+        swinging(&["k = \\sin(w t)"], (1, 0), &at),
+        Err(Reject::NoCourse)
+    );
+    // It need not where something else can.
+    assert_eq!(swinging(&["k = q \\sin(w t)"], (1, 0), &at), Ok(()));
+    // Of `q` alone that says nothing.
+    assert_eq!(swinging(&["q = \\sin(w t)"], (1, 0), &at), Ok(()));
+    // Nor where `k` is tied to what moves.
+    assert_eq!(
+        swinging(&["q = \\sin(w t)", "k = q"], (1, 0), &at),
+        Err(Reject::NoCourse)
+    );
 }

@@ -236,6 +236,12 @@ impl Judge<'_> {
         {
             return own;
         }
+        if matches!(&found.judged.outcome, Outcome::Open(stop) if !stop.hopeless)
+            && found.contradictory.is_empty()
+            && let Some(own) = self.fails_throughout(goal)
+        {
+            return own;
+        }
         if !found.judged.outcome.is_proven() {
             let expanded = match self.by_expansion(goal, premises) {
                 Some(own) if own.judged.outcome.is_proven() => return own,

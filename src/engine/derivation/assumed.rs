@@ -167,9 +167,9 @@ impl Derivation {
     fn supposed(&self, at: usize, locals: &[usize]) -> Vec<Assumed> {
         let number = self.equations[at].page;
         let page = &self.pages[number];
-        let meant = locals
-            .iter()
-            .filter(|&&local| !self.is_beyond(at, (number, local)));
+        let meant = locals.iter().filter(|&&local| {
+            !page.locals[local].only_names && !self.is_beyond(at, (number, local))
+        });
         let all = meant.flat_map(|&local| {
             let source = self.source_of(number, local);
             let local = &page.locals[local];

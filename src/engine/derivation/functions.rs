@@ -3,12 +3,15 @@
 //! A function is defined by the equation that is the first to speak of it, and gives it for a symbol by a term in that. What comes later,
 //! `f(x) = 0`, is a condition.
 
+use std::sync::Arc;
+
 use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
 use crate::document::Extent;
 use crate::kernel::Domain;
 use crate::sorted::Set;
 
 use super::equation::{formulas, terms};
+use super::page::Page;
 use super::{Derivation, Equation};
 
 /// Where a function is spoken of.
@@ -34,6 +37,43 @@ impl Equation {
     }
 }
 
+/// Tells of what the text supposes where it says no more than what a function is of which nothing else speaks: `\theta = T(x) - T_0`, put for the
+/// excess temperature. Whatever `\theta` is, there is such a function.
+pub(super) fn see_mere_names(page: &mut Page, equations: &[Equation]) {
+    let applied = |formula: &Formula| {
+        let mut found = Set::new();
+        for term in formula.terms() {
+            term.collect_applied(&|_| true, &mut found);
+        }
+        found
+    };
+    let supposed = page.locals.iter().flat_map(|local| &local.formulas);
+    let supposed: Vec<Set<Symbol>> = supposed.map(|own| applied(own)).collect();
+    if supposed.iter().all(Set::is_empty) {
+        return;
+    }
+    let mut spoken_of: Set<Symbol> = equations.iter().flat_map(Equation::functions).collect();
+    let stated = equations.iter().flat_map(Equation::symbols);
+    spoken_of.extend(stated);
+    let is_alone = |own: &Symbol| {
+        let times = supposed.iter().filter(|all| all.contains(own)).count();
+        times == 1 && !spoken_of.contains(own)
+    };
+    let mut marked = Vec::new();
+    for (at, local) in page.locals.iter().enumerate() {
+        let names = |formula: &Arc<Formula>| {
+            let is_equation = formula.as_equation().is_some();
+            is_equation && applied(formula).iter().any(is_alone)
+        };
+        if !local.formulas.is_empty() && local.formulas.iter().all(names) {
+            marked.push(at);
+        }
+    }
+    for at in marked {
+        page.locals[at].only_names = true;
+    }
+}
+
 impl Derivation {
     /// The values of a function that an equation defines, for the arguments with which equations among these speak of it.
     pub fn values_of_function(&self, definition: usize, among: &[usize]) -> Vec<Formula> {
@@ -56,10 +96,14 @@ impl Derivation {
             return Vec::new();
         }
         let mut places: Vec<Place> = Vec::new();
-        for term in
-            (among.iter()).flat_map(|&at| self.equations[at].statements().iter().flat_map(terms))
-        {
-            collect_arguments(term, &function, &mut places);
+        for own in among.iter().map(|&at| &self.equations[at]) {
+            let stated = own.statements().iter().flat_map(terms);
+            // "The distance along the plane is $R = x(T)/\cos\alpha$."
+            let said = own.told.iter().chain(&own.locals);
+            let said = said.flat_map(|&at| &self.local(own.page, at).formulas);
+            for term in stated.chain(said.flat_map(|own| own.terms())) {
+                collect_arguments(term, &function, &mut places);
+            }
         }
         places.retain(|place| place.at != Expr::Symbol(argument.clone()));
         places.truncate(MOST_VALUES);

@@ -140,6 +140,7 @@ impl Derivation {
             slopes::read_marks(&mut page, &mut equations);
             arguments::leave_out(&mut page, &mut equations);
             partials::tell_what_is_held(&mut page, &mut equations);
+            functions::see_mere_names(&mut page, &equations);
             (page, equations)
         };
         for (page, equations) in in_order(items.into_iter().enumerate(), read) {

@@ -13,7 +13,9 @@ use crate::document::{Span, SuppositionKind, is_everywhere, is_reason};
 use crate::kernel::Standing;
 use crate::sorted::Set;
 
+use super::Equation;
 use super::definition::Known;
+use super::equation::terms;
 use super::meanings::renamed;
 use super::page::Page;
 use super::rows::{self, Part};
@@ -39,6 +41,8 @@ pub struct Local {
     pub(super) of_case: bool,
     /// The text told it in passing.
     pub is_told: bool,
+    /// It says no more than what a function is of which nothing else speaks.
+    pub(super) only_names: bool,
     /// It lets something that was spoken of before have a value.
     pub(super) is_special: bool,
     /// It is a value of a numerical example.
@@ -72,6 +76,7 @@ impl Local {
             is_special: false,
             is_figure: false,
             is_contrary: false,
+            only_names: false,
             means: false,
             lasts: false,
             of_display: false,
@@ -87,6 +92,27 @@ impl Local {
         if let Some(moment) = &mut self.moment {
             moment.subject = renamed(&moment.subject, own);
         }
+    }
+
+    /// Takes what is put into a law of change for all of its variable, where it gives by that what the law differentiates: `x = A \cos\omega t`.
+    pub(super) fn say_of_all(&mut self, equations: &[Equation]) {
+        let is_function = |formula: &Arc<Formula>| match formula.as_equation() {
+            Some((Expr::Symbol(symbol), value)) if !value.mentions(symbol) => {
+                let is_slope = |part: &Expr| match part {
+                    Expr::Derivative { body, variable } => {
+                        **body == Expr::Symbol(symbol.clone()) && value.mentions(variable)
+                    }
+                    _ => false,
+                };
+                let mut sides = equations
+                    .iter()
+                    .flat_map(Equation::statements)
+                    .flat_map(terms);
+                sides.any(|side| side.any(&is_slope))
+            }
+            _ => false,
+        };
+        self.everywhere |= self.formulas.iter().all(is_function);
     }
 
     /// Whether it is so at one moment alone: what was concluded from it is a premise elsewhere, too, but it is not.

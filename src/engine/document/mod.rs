@@ -34,7 +34,7 @@ mod span;
 mod supposition;
 mod tables;
 mod words;
-pub(crate) use supposition::{is_everywhere, is_reason};
+pub(crate) use supposition::{is_everywhere, is_reason, is_tried};
 
 use std::sync::Arc;
 

@@ -51,7 +51,7 @@ use super::words::Words;
 use super::{Span, Supposition, SuppositionKind, conclusion};
 
 pub(super) use self::mathematics::{relates, stated};
-pub use self::reason::{is_everywhere, is_reason};
+pub use self::reason::{is_everywhere, is_reason, is_tried};
 
 /// The suppositions in prose, in order, and the values that it names besides.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> (Vec<Supposition>, Vec<Span>) {

@@ -7,7 +7,8 @@
 //! **Statement.** Let each law that speaks of the variable, or of what moves with it, have an unknown of its own that it *leads*: a symbol
 //! that may move and stands in no limit or integral over the variable. If the matrix of the partial derivatives of these laws by what they lead
 //! is regular at the point, then they hold around it with everything else constant (implicit functions). What must not be negative, or not
-//! vanish, is asked not to be 0 if it speaks of what moves.
+//! vanish, is asked not to be 0 if it speaks of what moves. A law that is `0 = 0` with the values of what does not move needs to lead nothing: it
+//! holds wherever the rest goes.
 
 use super::witness::Point;
 use super::{Origin, Reject, Sign, Standing};
@@ -76,7 +77,7 @@ impl Point<'_> {
             }
         }
         let mut moving = running.variables.clone();
-        while let Some(at) = laws.iter().position(|law| law.is_behind(&moving)) {
+        while let Some(at) = self.behind(&laws, &moving)? {
             let (symbol, var) = self.lead(&laws, at, &running, &moving)?;
             laws[at].lead = Some(var);
             moving.insert(symbol);
@@ -90,6 +91,31 @@ impl Point<'_> {
         let led = laws.iter().filter_map(|law| Some((law.fact, law.lead?)));
         let led: Vec<(&Polynomial, Var)> = led.collect();
         self.can_be_solved(&led)
+    }
+
+    /// The first law that speaks of what moves, leads nothing yet, and is not true wherever that goes.
+    fn behind(&mut self, laws: &[Law], moving: &Set<Symbol>) -> Result<Option<usize>, Reject> {
+        for (at, law) in laws.iter().enumerate() {
+            if law.is_behind(moving) && !self.is_always_so(law.fact, moving)? {
+                return Ok(Some(at));
+            }
+        }
+        Ok(None)
+    }
+
+    /// Whether a law is `0 = 0` once the values of all symbols are put in that do not move: `A (k - m \omega^2) \cos(\omega t) = 0` where
+    /// `k = m \omega^2`.
+    fn is_always_so(&mut self, law: &Polynomial, moving: &Set<Symbol>) -> Result<bool, Reject> {
+        let mut left = law.clone();
+        for var in law.vars() {
+            if let Atom::Symbol(symbol) = self.atoms.atom(var)
+                && !moving.contains(symbol)
+                && let Some(value) = self.at.symbols.get(symbol)
+            {
+                left = left.substitute(var, &Polynomial::constant(value.into()))?;
+            }
+        }
+        Ok(left.is_zero())
     }
 
     /// What a law may lead: of what may move, what the fewest laws speak of.

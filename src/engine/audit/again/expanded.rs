@@ -88,7 +88,12 @@ impl Judge<'_> {
             if !is_cited && written.used.iter().all(|own| cited.contains(&own)) {
                 break;
             }
-            match self.in_readings(goal, &written, &told, &all) {
+            // What is expanded by name is expanded as it is, whatever is so elsewhere.
+            let around = match is_cited && self.names_its_premises() {
+                true => &cited,
+                false => &all,
+            };
+            match self.in_readings(goal, &written, &told, around) {
                 Reading::Holds(mut found) => {
                     if !is_cited {
                         found.instead = sources(&written.used);
@@ -111,8 +116,14 @@ impl Judge<'_> {
         all: &[&Assumed],
     ) -> Reading {
         let Written { left, right, .. } = written;
+        // What was told to be small before something else was expanded is nothing of this.
+        let is_of_this = |own: &&Vec<Approach>| {
+            let mut own = own.iter().map(|own| &own.variable);
+            own.any(|variable| left.mentions(variable) || right.mentions(variable))
+        };
+        let told: Vec<&Vec<Approach>> = told.iter().filter(is_of_this).collect();
         let candidates: Vec<Approach> = match told.is_empty() {
-            false => told.iter().flatten().cloned().collect(),
+            false => told.iter().copied().flatten().cloned().collect(),
             true => {
                 let all = right.free_symbols();
                 // Where it is one of several of its kind, `m_1 + m_2 - m_{12}`, all of them are, or what they differ by.
@@ -202,6 +213,7 @@ impl Judge<'_> {
                 .filter(|own| !own.formula.names().contains(variable) && !is_near(&own.formula))
                 .cloned()
                 .collect();
+            let kept = speaking_of(kept, left.free_symbols());
             let goal = Goal {
                 suppositions: Vec::new(),
                 ..goal.clone()
@@ -275,6 +287,19 @@ impl Judge<'_> {
             && !may_be_rounded(right)
             && !all.iter().any(ties)
             && self.approximations().is_empty()
+    }
+}
+
+/// What speaks of some symbols, or of what others that do speak of: the rest says nothing of them.
+fn speaking_of(mut all: Vec<Assumed>, mut names: Set<Symbol>) -> Vec<Assumed> {
+    let mut kept = Vec::new();
+    loop {
+        let before = kept.len();
+        kept.extend(all.extract_if(.., |own| !own.formula.names().is_disjoint(&names)));
+        if kept.len() == before {
+            return kept;
+        }
+        names.extend(kept[before..].iter().flat_map(|own| own.formula.names()));
     }
 }
 

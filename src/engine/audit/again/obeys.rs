@@ -64,6 +64,21 @@ const OF_ANOTHER_LAW: [&str; 26] = [
     "asymptotic",
     "asymptotically",
 ];
+/// With one of these it is said to be the one that meets the conditions that stand just before it.
+const MEETING: [&str; 12] = [
+    "satisfy",
+    "satisfies",
+    "satisfying",
+    "condition",
+    "conditions",
+    "boundary",
+    "these",
+    "them",
+    "subject",
+    "meeting",
+    "meets",
+    "fitting",
+];
 /// What is put in for constants.
 const NUMBERS: [i64; 6] = [2, 3, 5, 7, 11, 13];
 /// So much work is done, as [`effort`] counts it.
@@ -142,8 +157,11 @@ impl Judge<'_> {
             let refuted = match decision {
                 Decision::Refuted(refuted) => refuted,
                 // It obeys the law, and may have another value where the text tells one.
-                Decision::Proven { .. } => return self.begins_otherwise(goal, &own),
-                Decision::Open(_) => return None,
+                Decision::Proven { .. } => {
+                    let begins = self.begins_otherwise(goal, &own);
+                    return begins.or_else(|| self.ends_otherwise(goal, &own));
+                }
+                Decision::Open(_) => return self.ends_otherwise(goal, &own),
             };
             // For some values of the constants that it brings along it may be one, whatever the law's own are.
             if !own.constants.iter().all(|symbol| own.is_of_law(symbol))
@@ -193,6 +211,7 @@ impl Judge<'_> {
                 && standing_in_slopes([&*own.formula].into_iter()).contains(&of)
                 && own.formula.differentiates_by(&variable)
                 && order(&own.formula) > order(&goal.formula)
+                && !own.formula.speaks_of_values()
         };
         if !right.mentions(&variable) || own_variable.is_some_and(|own| own != variable) {
             return None;
@@ -278,6 +297,43 @@ impl Judge<'_> {
                 Decision::Refuted(refuted) => Some(refuted_of(goal, &there, &own.assumed, refuted)),
                 _ => None,
             }
+        })
+    }
+
+    /// What to say of a solution that has another value at a boundary than it is said to have: "with
+    /// $$\theta(0) = \theta_0, \qquad \theta'(L) = 0$$ The solution satisfying these is".
+    fn ends_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
+        let (left, right) = goal.formula.as_equation()?;
+        let (left, right) = for_the_quantity(left, right);
+        let Expr::Symbol(of) = left else {
+            return None;
+        };
+        let value_there = |said: &Assumed| {
+            let (there, value) = said.formula.as_equation()?;
+            let Expr::Limit { body, variable, .. } = there else {
+                return None;
+            };
+            let is_told = body.mentions(&of) && *variable == own.variable;
+            let is_told = is_told && !value.mentions(&of) && !value.mentions(variable);
+            is_told.then(|| Formula::equal(there.substitute(&of, &right), value.clone()))
+        };
+        let mut told = self.usable.assumed.clone();
+        if self.says(&MEETING) {
+            let before = self.derivation.before_display(self.at);
+            let before = before.map(|last| self.derivation.display_start(last)..=last);
+            let before: Vec<usize> = before.into_iter().flatten().collect();
+            told.extend(self.gathered(&before));
+        }
+        told.into_iter().find_map(|said| {
+            let there = value_there(&said)?;
+            let Decision::Refuted(refuted) = self.decide_of(own, own.circumstances(), &there)?
+            else {
+                return None;
+            };
+            // The solution itself was put in there.
+            let mut assumed = own.assumed.clone();
+            assumed.push(said);
+            Some(refuted_of(goal, &there, &assumed, refuted))
         })
     }
 

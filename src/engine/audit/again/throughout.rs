@@ -3,15 +3,15 @@
 //!
 //! At one time alone `x` may be 0, and nothing follows; throughout it is 0 only if `A` is, which nobody means who tries such a solution.
 
-use crate::algebra::{Expr, Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::{Claim, Standing, definition};
 use crate::notation::plain_symbol;
-use crate::search;
+use crate::search::{self, Decision};
 use crate::sorted::{self, Set};
 
-use super::super::Outcome;
 use super::super::judge::{Found, Judge, condition, sources, step};
+use super::super::{Judged, Outcome};
 use super::conditions::unbounded;
 
 /// With one of these a text says that the two sides of an equation are compared for every value of a variable.
@@ -24,6 +24,10 @@ const COMPARING: [&str; 5] = [
 ];
 /// More symbols than this are not held constant.
 const MOST_HELD: usize = 14;
+/// A law is differentiated so often where a step is held against it.
+const MOST_SLOPES: usize = 3;
+/// So much work is done for that.
+const MOST_WORK: u64 = 2_000_000;
 
 impl Judge<'_> {
     /// Whether a step that was not proved follows from what holds throughout, cited or not.
@@ -137,10 +141,71 @@ impl Judge<'_> {
         undeclared.retain(|own| named.contains(&own));
         found.constant = undeclared;
         found.conditions = signs;
-        found.instead = sources(&kept);
+        let cited = sources(&self.usable.assumed);
+        let used = sources(&kept);
+        found.instead = match used.iter().all(|own| cited.contains(own)) {
+            true => Vec::new(),
+            false => used,
+        };
         found.judged.assumed = kept;
         found.judged.outcome = Outcome::Proven(derived.proven.into());
         true
+    }
+
+    /// What to say of a step that nothing decided and that is false where what it is drawn from, a law and a function that is put into it, is so
+    /// for every value of a variable: `A = \frac{F}{k + m \omega^2}` from `m \ddot x + k x = F \cos\omega t` and `x = A \cos\omega t`.
+    pub(in crate::audit) fn fails_throughout(&self, goal: &Goal) -> Option<Found> {
+        // "With the trial solution $x = A \cos\omega t$, (1) becomes"
+        let told = self.derivation.told_just_before(self.at).into_iter();
+        let set: Vec<Assumed> = self.usable.assumed.iter().cloned().chain(told).collect();
+        if goal.questioned || !goal.suppositions.is_empty() || goal.formula.speaks_of_slopes() {
+            return None;
+        }
+        let told = Formula::names_in(set.iter().flat_map(|own| own.formula.terms()));
+        if !goal.formula.names().is_subset(&told) {
+            return None;
+        }
+        let variables = self.variables_left_out(goal, &set);
+        effort::within(MOST_WORK, || {
+            let mut variables = variables.iter();
+            variables.find_map(|variable| self.fails_for_all(variable, goal, &set))
+        })
+    }
+
+    /// The same for every value of one variable.
+    fn fails_for_all(&self, variable: &Symbol, goal: &Goal, set: &[Assumed]) -> Option<Found> {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        let held = self.held(&claim, variable)?;
+        let first = slopes(set, &held, variable);
+        if first.is_empty() {
+            return None;
+        }
+        // Where a law is so, and its slopes are, as many as it may take, it is so everywhere.
+        let mut all_slopes = first.clone();
+        let mut last = first;
+        for _ in 1..MOST_SLOPES {
+            last = last.iter().filter_map(|own| slope(own, variable)).collect();
+            all_slopes.extend(last.iter().cloned());
+        }
+        let more = all_slopes.into_iter().chain(signs(&claim, &held));
+        let all: Vec<Assumed> = set
+            .iter()
+            .cloned()
+            .chain(more.map(|own| step(&own)))
+            .collect();
+        let larger = self.derivation.claim(self.at, &all, &goal.formula);
+        let larger = search::with_constants(larger, held.iter().cloned());
+        let Decision::Refuted(refuted) = self.decide(&*self.pose_claim(larger).ok()?) else {
+            return None;
+        };
+        let mut found = Found::open(Judged {
+            goal: goal.clone(),
+            assumed: set.to_vec(),
+            outcome: Outcome::Refuted(refuted.into()),
+        });
+        found.constant = held;
+        found.constant.retain(|own| !claim.is_constant(own));
+        Some(found)
     }
 
     /// Leaves open a step that was refuted at one value of a variable only, where what it is drawn from, or stands before, is so for every

@@ -3,7 +3,9 @@
 use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::document::{Citation, Span, Supposition, SuppositionKind, Vanishing, is_reason};
+use crate::document::{
+    Citation, Span, Supposition, SuppositionKind, Vanishing, is_reason, is_tried,
+};
 use crate::notation::{read_formulas, read_symbol};
 use crate::sorted::Set;
 
@@ -258,6 +260,12 @@ impl Reader<'_> {
                     (local.is_told, local.means) = (true, true);
                 }
             }
+        }
+        if is_tried(&self.page.document.source, body) {
+            let (locals, equations) = (&mut self.page.locals, &self.equations);
+            locals[new.clone()]
+                .iter_mut()
+                .for_each(|own| own.say_of_all(equations));
         }
         self.leave_replaced(new.clone());
         self.leave_opposites(new.clone(), body);

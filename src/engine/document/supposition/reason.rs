@@ -69,6 +69,33 @@ pub fn is_everywhere(source: &str, body: Span) -> bool {
     !is_place && (rests || words.any(|word| EVERYWHERE.contains(&word)))
 }
 
+/// Whether the sentence before mathematics says that it is put into something, or tried: "Inserting $x = A \cos\omega t$ in (2)".
+pub fn is_tried(source: &str, body: Span) -> bool {
+    const TRYING: &[&str] = &[
+        "insert",
+        "inserting",
+        "substitute",
+        "substituting",
+        "substitution",
+        "put",
+        "putting",
+        "plug",
+        "plugging",
+        "try",
+        "trying",
+        "trial",
+        "ansatz",
+        "guess",
+        "guessing",
+    ];
+    let before = source.get(..body.start).unwrap_or_default();
+    let near = before.len().saturating_sub(LONGEST);
+    let near = (near..=before.len()).find(|&at| before.is_char_boundary(at));
+    let sentence = before[near.unwrap_or_default()..].rsplit(['.', ';']).next();
+    let mut words = (sentence.unwrap_or_default()).split(|c: char| !c.is_alphabetic());
+    words.any(|word| TRYING.has_in_any_case(word))
+}
+
 /// Whether the clause before mathematics gives a reason in words: "Since no heat is lost, $a = b$".
 fn follows_a_reason(source: &str, body: Span) -> bool {
     let before = source.get(..body.start).unwrap_or_default();

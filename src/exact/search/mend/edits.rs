@@ -120,6 +120,7 @@ pub fn edits(printed: &Formula, names: &Names) -> Vec<Edit> {
     let mut editor = Editor {
         names,
         is_equation: *relation == Relation::Equal,
+        takes_roots: [left, right].iter().any(|side| side.any(&Expr::is_root)),
         found: Vec::new(),
     };
     for is_left in [false, true] {
@@ -223,6 +224,8 @@ type Found = Vec<(Change, u32, Expr)>;
 struct Editor<'a> {
     names: &'a Names,
     is_equation: bool,
+    /// A root stands somewhere in it.
+    takes_roots: bool,
     found: Found,
 }
 
@@ -394,6 +397,12 @@ impl Editor<'_> {
                 }
                 let squared = Expr::Power(term.clone().into(), Expr::integer(2).into());
                 self.found.push((Change::Exponent, 3, squared));
+                // Beside another root one is left out more easily.
+                if self.takes_roots && self.is_equation {
+                    let half = number(&Rational::from(2).recip());
+                    let root = Expr::Power(term.clone().into(), half.into());
+                    self.found.push((Change::Exponent, 5, root));
+                }
                 if self.names.shares.contains(symbol) {
                     let rest = vec![Expr::integer(1), Expr::Negate(term.clone().into())];
                     self.found
@@ -489,6 +498,11 @@ impl Editor<'_> {
                     Function::Cos => Some(Function::Sin),
                     _ => None,
                 };
+                // Logarithms are seldom squared, and exponentials never.
+                if other.is_some() {
+                    let squared = Expr::Power(term.clone().into(), Expr::integer(2).into());
+                    self.found.push((Change::Exponent, 3, squared));
+                }
                 let other = other.map(|f| Expr::Call(f, argument.clone()));
                 self.found
                     .extend(other.map(|call| (Change::Function, 2, call)));
