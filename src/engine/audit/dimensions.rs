@@ -198,7 +198,12 @@ impl Dimensions {
 fn is_trial(formula: &Formula) -> bool {
     use Function::{Cos, Exp, Sin};
     let is_name = |side: &Expr| matches!(side, Expr::Symbol(_) | Expr::Apply(..));
-    let is_shape = |side: &Expr| matches!(side, Expr::Call(Exp | Sin | Cos, _));
+    let is_wave = |side: &Expr| matches!(side, Expr::Call(Exp | Sin | Cos, _));
+    // "A wave of unit amplitude comes from the left, $\psi = e^{i k x} + r e^{-i k x}$"
+    let is_shape = |side: &Expr| match side {
+        Expr::Sum(terms) => terms.iter().any(is_wave),
+        side => is_wave(side),
+    };
     formula
         .as_equation()
         .is_some_and(|(left, right)| is_name(left) && is_shape(right))

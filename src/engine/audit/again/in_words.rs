@@ -6,7 +6,7 @@ use crate::derivation::{Assumed, Goal, Source, first_goal, formulas, renamed};
 use crate::sorted::Map;
 
 use super::super::judge::{Found, Judge, step};
-use crate::search::Decision;
+use crate::search::{self, Decision, Effort};
 
 /// With one of these a text says that something is so for the same reason.
 const ALIKE: [&str; 10] = [
@@ -32,8 +32,12 @@ const DENYING: [&str; 11] = [
     "from",
 ];
 const INDUCTION: [&str; 1] = ["induction"];
+/// With one of these a step draws on what was written in sentences before.
+const COMPARING: [&str; 5] = ["comparing", "compare", "equating", "combining", "matching"];
 /// So many equations in the text before are looked at.
 const MOST_WRITTEN: usize = 4;
+/// So many premises are tried one by one with what is written.
+const MOST_BESIDE: usize = 8;
 /// So many equations before are looked at.
 const MOST_BEFORE: usize = 6;
 
@@ -121,7 +125,13 @@ impl Judge<'_> {
         if !found.judged.outcome.is_refuted() || self.says(&DENYING) {
             return;
         }
-        let mut written = self.derivation.written_before(self.at);
+        // "Equation (7) solved for the pressure drop is $p = 32 \mu L U/D^2$. Comparing with (8) we get"
+        let mut written = match self.says(&COMPARING) {
+            true => self.derivation.written_since(self.at),
+            false => self.derivation.written_before(self.at),
+        };
+        // The nearest are meant first.
+        written.reverse();
         let is_known = |own: &Formula| assumed.iter().any(|known| *known.formula == *own);
         let names = goal.formula.names();
         // What is put in is gone, and what is so at a place says nothing of slopes.
@@ -137,9 +147,23 @@ impl Judge<'_> {
             let all: Vec<Assumed> = assumed.iter().chain(&words).cloned().collect();
             let is_shown = |from: &[Assumed]| {
                 let decision = self.decide_from(from, &goal.formula);
-                matches!(decision, Some(Decision::Proven { .. }))
+                // What is divided out is not 0.
+                let divided = || {
+                    let posed = self.pose(from, &goal.formula);
+                    posed.is_ok_and(|posed| {
+                        search::missing_conditions(&posed, None, Effort::Light, &[]).is_some()
+                    })
+                };
+                matches!(decision, Some(Decision::Proven { .. })) || divided()
             };
-            is_shown(&all) && !is_shown(&words) && !self.is_contradictory(&all, goal)
+            // From much that does not matter it may not be seen.
+            let with_one = || {
+                let mut others = assumed.iter().take(MOST_BESIDE);
+                others.any(|own| is_shown(&[words.as_slice(), std::slice::from_ref(own)].concat()))
+            };
+            (is_shown(&all) || with_one())
+                && !is_shown(&words)
+                && !self.is_contradictory(&all, goal)
         };
         let alone = |own: &Formula| follows(std::slice::from_ref(own));
         if written.iter().any(alone) || written.len() > 1 && follows(&written) {

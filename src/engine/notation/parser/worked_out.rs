@@ -205,7 +205,11 @@ fn is_rounded(pair: &[Side]) -> bool {
         return is_rounded_multiple(&worked_out.expr, &result.expr, &rounding.share);
     }
     // Of a whole number all digits are meant.
-    let share = match (rounding.precision, without_units(&result.expr)) {
+    let size = match without_units(&result.expr) {
+        Expr::Negate(inner) => (*inner).clone(),
+        own => own,
+    };
+    let share = match (rounding.precision, size) {
         (Precision::Whole, Expr::Number(whole)) if !whole.is_zero() => {
             let own = (whole.abs() * BigRational::from_integer(2.into())).recip();
             own.min(rounding.share.clone())
