@@ -42,14 +42,18 @@ const PLACES: &[&str] = &[
 /// More of a sentence is not looked at.
 const LONGEST: usize = 200;
 
-/// Whether the sentence around mathematics says that it is so everywhere, and not at one place: "$J = 0$ everywhere", "In equilibrium $J = 0$".
-pub fn is_everywhere(source: &str, body: Span) -> bool {
+/// The text before mathematics, as far as it is looked at.
+fn near_before(source: &str, body: Span) -> &str {
     let before = source.get(..body.start).unwrap_or_default();
     let near = before.len().saturating_sub(LONGEST);
     let near = (near..=before.len()).find(|&at| before.is_char_boundary(at));
-    let sentence = before[near.unwrap_or_default()..]
-        .rsplit(['.', '\n', ';'])
-        .next();
+    &before[near.unwrap_or_default()..]
+}
+
+/// Whether the sentence around mathematics says that it is so everywhere, and not at one place: "$J = 0$ everywhere", "In equilibrium $J = 0$".
+pub fn is_everywhere(source: &str, body: Span) -> bool {
+    let before = near_before(source, body);
+    let sentence = before.rsplit(['.', '\n', ';']).next();
     let begins = sentence.unwrap_or_default().trim_start();
     let begins = begins
         .strip_prefix("In ")
@@ -88,10 +92,8 @@ pub fn is_tried(source: &str, body: Span) -> bool {
         "guess",
         "guessing",
     ];
-    let before = source.get(..body.start).unwrap_or_default();
-    let near = before.len().saturating_sub(LONGEST);
-    let near = (near..=before.len()).find(|&at| before.is_char_boundary(at));
-    let sentence = before[near.unwrap_or_default()..].rsplit(['.', ';']).next();
+    let before = near_before(source, body);
+    let sentence = before.rsplit(['.', ';']).next();
     let mut words = (sentence.unwrap_or_default()).split(|c: char| !c.is_alphabetic());
     words.any(|word| TRYING.has_in_any_case(word))
 }
