@@ -37,11 +37,7 @@ impl Auditor<'_> {
     /// text tells may come of what is cited: "With (2), $v_2 = a v_1$, so".
     pub(super) fn goes_on(&self, at: usize, premises: &[usize], used: &Set<Source>) -> bool {
         let equations = &self.derivation.equations;
-        let first = self.derivation.display_start(at);
-        let before = match self.derivation.before_display(at) {
-            Some(last) => self.derivation.display_start(last)..first,
-            None => first..first,
-        };
+        let before = self.derivation.display_before(at);
         let own = &equations[at];
         let is_near = |source: &Source| match *source {
             Source::Equation(other) => {

@@ -180,8 +180,6 @@ fn is_settled(judged: &Judged, told: &[Assumed]) -> bool {
 /// The symbols, sequences and functions of a formula.
 pub(super) fn spoken_of(formula: &Formula) -> Set<Symbol> {
     let mut found = formula.names();
-    for term in formula.terms() {
-        term.collect_applied(&|_| true, &mut found);
-    }
+    found.extend(Formula::applied_in(formula.terms()));
     found
 }

@@ -12,7 +12,8 @@ use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
-use crate::notation::{Statement, has_units, plain_formula};
+use crate::document::Span;
+use crate::notation::{Statement, has_units, plain_formula, read_expr};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
 
@@ -145,17 +146,24 @@ impl Auditor<'_> {
 
     /// Whether the sentence before a step supposes something in words alone: "If the source shines exactly at the limit (3), we may eliminate".
     fn supposes_in_words(&self, at: usize) -> bool {
-        const SIGNS: [&str; 9] = [
-            "=", "<", ">", "\\l", "\\g", "\\ne", "\\to", "\\approx", "\\sim",
-        ];
-        let said = self.derivation.leading(at).unwrap_or_default();
+        let own = &self.derivation.equations[at];
+        let (Some(said), Some(sentence)) = (self.derivation.leading(at), own.said_last) else {
+            return false;
+        };
         let mut found = said.match_indices("if ").chain(said.match_indices("If "));
         let Some((begin, _)) = found.find(|(at, _)| !said[..*at].ends_with(char::is_alphabetic))
         else {
             return false;
         };
-        let clause = said[begin..].split(',').next().unwrap_or_default();
-        !SIGNS.iter().any(|sign| clause.contains(sign))
+        let end = said[begin..]
+            .find(',')
+            .map_or(said.len(), |comma| begin + comma);
+        let clause = sentence.start + begin..sentence.start + end;
+        let document = &self.derivation.pages[own.page].document;
+        let mut written = self.derivation.inline_before(at).map(|math| math.body);
+        // What is more than a term says something in symbols.
+        let states = |body: Span| read_expr(&document.source, body).is_err();
+        !written.any(|body| clause.contains(&body.start) && states(body))
     }
 
     /// Whether a bound is wrong for positive numbers, too, and so is what is said to be a root: most authors speak of no others, and few say
@@ -307,7 +315,7 @@ fn only_names(judged: &Judged) -> bool {
 /// Whether equations that were named speak of all that a link does.
 fn is_spoken_of(judged: &Judged) -> bool {
     let all = judged.assumed.iter();
-    let said_of = applied(all.clone().flat_map(|own| own.formula.terms()));
+    let said_of = Formula::applied_in(all.clone().flat_map(|own| own.formula.terms()));
     let said = all.filter(|own| matches!(own.source, Source::Equation(_)));
     let said: Set<Symbol> = said.flat_map(|own| own.formula.names()).collect();
     // By what is differentiated is clear.
@@ -318,16 +326,8 @@ fn is_spoken_of(judged: &Judged) -> bool {
     };
     let mut names = judged.goal.formula.names();
     names.retain(|own| !said.contains(own));
-    names.iter().all(is_variable) && applied(judged.goal.formula.terms()).is_subset(&said_of)
-}
-
-/// What is applied in terms: `f` in `f(x)`.
-fn applied<'a>(terms: impl IntoIterator<Item = &'a Expr>) -> Set<Symbol> {
-    let mut found = Set::new();
-    for term in terms {
-        term.collect_applied(&|_| true, &mut found);
-    }
-    found
+    names.iter().all(is_variable)
+        && Formula::applied_in(judged.goal.formula.terms()).is_subset(&said_of)
 }
 
 /// Whether a link is said of numbers, or of the same symbols on both sides, or works something out: what would have to be said besides of

@@ -41,10 +41,8 @@ fn settle_page(
     constants: &BTreeSet<Symbol>,
 ) {
     // What the text gives as a function is none that displays define.
-    let mut applied = Set::new();
     let told = page.locals.iter().flat_map(|own| &own.formulas);
-    (told.flat_map(|own| own.terms()))
-        .for_each(|term| term.collect_applied(&|_| true, &mut applied));
+    let mut applied = Formula::applied_in(told.flat_map(|own| own.terms()));
     let mut of_display = page.locals.iter().filter(|own| own.of_display).peekable();
     for equation in equations {
         // A condition speaks of what it names, be the display of that place or not: "With $w = w_0$ at $x = 0$ the solution is".

@@ -29,24 +29,14 @@ const MOST_VALUES: usize = 8;
 impl Equation {
     /// The functions that it speaks of with an argument.
     pub(super) fn functions(&self) -> Set<Symbol> {
-        let mut found = Set::new();
-        for term in self.statements().iter().flat_map(terms) {
-            term.collect_applied(&|_| true, &mut found);
-        }
-        found
+        Formula::applied_in(self.statements().iter().flat_map(terms))
     }
 }
 
 /// Tells of what the text supposes where it says no more than what a function is of which nothing else speaks: `\theta = T(x) - T_0`, put for the
 /// excess temperature. Whatever `\theta` is, there is such a function.
 pub(super) fn see_mere_names(page: &mut Page, equations: &[Equation]) {
-    let applied = |formula: &Formula| {
-        let mut found = Set::new();
-        for term in formula.terms() {
-            term.collect_applied(&|_| true, &mut found);
-        }
-        found
-    };
+    let applied = |formula: &Formula| Formula::applied_in(formula.terms());
     let supposed = page.locals.iter().flat_map(|local| &local.formulas);
     let supposed: Vec<Set<Symbol>> = supposed.map(|own| applied(own)).collect();
     if supposed.iter().all(Set::is_empty) {
@@ -59,18 +49,11 @@ pub(super) fn see_mere_names(page: &mut Page, equations: &[Equation]) {
         let times = supposed.iter().filter(|all| all.contains(own)).count();
         times == 1 && !spoken_of.contains(own)
     };
-    let mut marked = Vec::new();
-    for (at, local) in page.locals.iter().enumerate() {
-        let names = |formula: &Arc<Formula>| {
-            let is_equation = formula.as_equation().is_some();
-            is_equation && applied(formula).iter().any(is_alone)
-        };
-        if !local.formulas.is_empty() && local.formulas.iter().all(names) {
-            marked.push(at);
-        }
-    }
-    for at in marked {
-        page.locals[at].only_names = true;
+    let names = |formula: &Arc<Formula>| {
+        formula.as_equation().is_some() && applied(formula).iter().any(is_alone)
+    };
+    for local in &mut page.locals {
+        local.only_names = !local.formulas.is_empty() && local.formulas.iter().all(names);
     }
 }
 

@@ -235,6 +235,14 @@ impl Derivation {
         (self.equations[before].page == self.equations[at].page).then_some(before)
     }
 
+    /// The equations of the display before that, on the same page.
+    pub fn display_before(&self, at: usize) -> Range<usize> {
+        match self.before_display(at) {
+            Some(last) => self.display_start(last)..last + 1,
+            None => at..at,
+        }
+    }
+
     /// The first equation of the section that an equation stands in.
     pub fn section_start(&self, at: usize) -> usize {
         let own = &self.equations[at];

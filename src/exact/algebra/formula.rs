@@ -306,6 +306,15 @@ impl Formula {
         free.into_iter().cloned().chain(sequences).collect()
     }
 
+    /// What is applied in terms: `f` in `f(x)`.
+    pub fn applied_in<'a>(terms: impl IntoIterator<Item = &'a Expr>) -> Set<Symbol> {
+        let mut found = Set::new();
+        for term in terms {
+            term.collect_applied(&|_| true, &mut found);
+        }
+        found
+    }
+
     /// The sequences that occur.
     pub fn sequences(&self) -> Set<Symbol> {
         Formula::sequences_of(std::iter::once(self))

@@ -4,7 +4,6 @@ use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source, values_at};
 use crate::kernel::{Claim, Refuted};
 use crate::search::{self, Decision, InChain};
-use crate::sorted::Set;
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY, step};
@@ -101,10 +100,8 @@ impl Judge<'_> {
         let integral = |part: &Expr| matches!(part, Expr::Integral { .. });
         let names = goal.formula.free_symbols();
         let concerns = |own: &&Assumed| !own.formula.free_symbols().is_disjoint(&names);
-        let mut applied = Set::new();
-        for term in (assumed.iter().filter(concerns)).flat_map(|own| own.formula.terms()) {
-            term.collect_applied(&|_| true, &mut applied);
-        }
+        let concerned = assumed.iter().filter(concerns);
+        let mut applied = Formula::applied_in(concerned.flat_map(|own| own.formula.terms()));
         // What is cited says itself what these are.
         for own in assumed {
             if let Some((Expr::Apply(function, _), _)) = own.formula.as_equation() {

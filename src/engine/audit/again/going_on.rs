@@ -105,9 +105,7 @@ impl Judge<'_> {
     pub(super) fn goes_on_from(&self, other: usize) -> bool {
         let equations = &self.derivation.equations;
         let own = &equations[self.at];
-        let last = self.derivation.before_display(self.at);
-        let before = last.map(|last| self.derivation.display_start(last)..last + 1);
-        let is_before = before.is_some_and(|before| before.contains(&other));
+        let is_before = self.derivation.display_before(self.at).contains(&other);
         let starts = self.derivation.section_start(self.at);
         own.drawn && is_before && other >= starts
     }

@@ -319,9 +319,7 @@ impl Judge<'_> {
         };
         let mut told = self.usable.assumed.clone();
         if self.says(&MEETING) {
-            let before = self.derivation.before_display(self.at);
-            let before = before.map(|last| self.derivation.display_start(last)..=last);
-            let before: Vec<usize> = before.into_iter().flatten().collect();
+            let before: Vec<usize> = self.derivation.display_before(self.at).collect();
             told.extend(self.gathered(&before));
         }
         told.into_iter().find_map(|said| {

@@ -380,18 +380,10 @@ impl Parser<'_> {
         let has_index = first.is_ascii_uppercase()
             && self.kind(close) == Kind::Char(']')
             && self.kind(close + 1) == Kind::Char('_');
-        let mut depth = 0usize;
-        let mut within = (close + 2..close + FAR).take_while(|&at| {
-            match self.kind(at) {
-                Kind::Open => depth += 1,
-                Kind::Close => depth = depth.saturating_sub(1),
-                _ => {}
-            }
-            depth > 0
-        });
-        let after = within.by_ref().last().map_or(close + 2, |last| last + 1) + 1;
+        // A group of one token is that token.
+        let after = self.after_group(close + 2).filter(|_| has_index)?;
         let word: String = [Some(first), second].into_iter().flatten().collect();
-        (has_index && self.kind(after) != Kind::Char('^'))
+        (self.kind(after) != Kind::Char('^'))
             .then(|| (format!("[{}]", charged(&word, "")), close + 1))
     }
 
