@@ -71,8 +71,8 @@ fn the_solution_with_a_value_at_a_place() {
         for wrong in [r"w = \frac{a}{2} (x^2 + b^2)", r"w = a (x^2 - b^2)"] {
             assert_eq!(step(wrong), "fails", "{words} {wrong}");
         }
-        // That would follow where `b` is 0.
-        assert_eq!(step(r"w = \frac{a}{2} x^2"), "undecided", "{words}");
+        // It obeys the law, and is 0 at `x = b` only where `b` is.
+        assert_ne!(step(r"w = \frac{a}{2} x^2"), "holds", "{words}");
     }
     let start = "If $w = w_0$ when $x = b$, then integration gives\n\n";
     let step = |formula: &str| last(&format!("{SLOPE}{start}$$ {formula} $$\n"));

@@ -240,7 +240,7 @@ impl Report<'_> {
                 format!("{how}, {}", self.place_of(page, local.span))
             }
             Source::Step => "shown or supposed in the same statement".into(),
-            Source::Taken => "taken so: as it is there".into(),
+            Source::Taken => "taken so, as it is meant".into(),
             Source::Propagation => words::PROPAGATION.into(),
         }
     }

@@ -6,8 +6,9 @@
 mod reasons;
 mod written;
 
+use crate::algebra::Formula;
 use crate::audit::{Judged, changes};
-use crate::derivation::Source;
+use crate::derivation::{Assumed, Source};
 use crate::kernel::{Assignment, Factors, Origin, Problem, Proven};
 use crate::notation::{plain, plain_formula};
 
@@ -101,9 +102,9 @@ impl Report<'_> {
         parts.reverse();
         let used: Vec<usize> = page.used.iter().copied().collect();
         let facts = used.iter().filter(|&&at| at < problem.facts.len());
-        let premise = |position: usize| match judged {
-            Some(judged) => self.premise(judged, position),
-            None => "a hypothesis".into(),
+        let premise = |position: usize| match (judged, claim.hypotheses.get(position)) {
+            (Some(judged), Some(own)) => self.premise(judged, position, &own.formula),
+            _ => "a hypothesis".into(),
         };
         let known: Vec<String> = facts
             .map(|&at| {
@@ -136,9 +137,14 @@ impl Report<'_> {
         lines
     }
 
-    /// Where the hypothesis at a position comes from.
-    pub(super) fn premise(&self, judged: &Judged, position: usize) -> String {
-        match judged.assumed.get(position).map(|a| a.source) {
+    /// Where the hypothesis at a position comes from. What holds in the place of what fails may come from more than that was drawn from.
+    pub(super) fn premise(&self, judged: &Judged, position: usize, said: &Formula) -> String {
+        let is_it = |own: &&Assumed| *own.formula == *said;
+        let own = judged.assumed.get(position).filter(is_it);
+        let own = own.or_else(|| judged.assumed.iter().find(is_it));
+        let source = own.map(|own| own.source);
+        let source = source.or_else(|| self.derivation.stating(said).map(Source::Equation));
+        match source {
             Some(Source::Equation(at)) => format!("premise {}", self.name(at)),
             Some(source @ Source::Local(..)) => format!("supposed: {}", self.source(&source)),
             Some(Source::Step) => "the step before".into(),

@@ -16,13 +16,13 @@ impl Report<'_> {
         let Ok(mut rows) = Rows::new(proven.claim()) else {
             return vec!["the certificate cannot be written out".into()];
         };
-        let hypotheses = proven.claim().hypotheses.len();
+        let hypotheses = &proven.claim().hypotheses;
         let mut table = Table::default();
         for (at, row) in rows.rows.iter().enumerate() {
             let Some(row) = row else { continue };
-            let name = match at < hypotheses {
-                true => self.premise(judged, at),
-                false => "the integral runs over it".into(),
+            let name = match hypotheses.get(at) {
+                Some(own) => self.premise(judged, at, &own.formula),
+                None => "the integral runs over it".into(),
             };
             table.push(format!("[{}]", at + 1), rows.varying(&row.product), name);
         }

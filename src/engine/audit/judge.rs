@@ -231,14 +231,15 @@ impl Judge<'_> {
             return own;
         }
         if !found.judged.outcome.is_proven()
-            && (!found.judged.outcome.is_refuted() || draws_on_values(&found.judged))
-            && let Some(own) = self.as_no_solution(goal, premises)
+            && let Some(own) = self.as_no_solution(goal, premises, Some(&found.judged))
         {
             return own;
         }
         if matches!(&found.judged.outcome, Outcome::Open(stop) if !stop.hopeless)
             && found.contradictory.is_empty()
-            && let Some(own) = self.fails_throughout(goal)
+            && let Some(own) = self
+                .fails_throughout(goal)
+                .or_else(|| self.fails_compared(goal, premises))
         {
             return own;
         }
@@ -276,6 +277,15 @@ impl Judge<'_> {
             let moves = plain(&moves);
             found.leave_open(format!(
                 "`{moves}` is given by what it changes with, and by something that is not seen to change"
+            ));
+        }
+        if found.judged.outcome.is_refuted()
+            && found.mended.is_none()
+            && let Some(moves) = self.held_and_moving(&found.judged)
+        {
+            let moves = plain_symbol(&moves);
+            found.leave_open(format!(
+                "`{moves}` changes, and what it is drawn from does not say how"
             ));
         }
         if found.judged.outcome.is_refuted()
@@ -318,6 +328,7 @@ impl Judge<'_> {
         assumed.extend(self.along_the_motion(goal, &assumed));
         assumed.extend(self.rates_of_relations(goal, &assumed));
         assumed.extend(self.propagated(goal, &assumed, premises));
+        assumed.extend(self.averaged(goal, &assumed));
         assumed
     }
 
@@ -452,10 +463,4 @@ pub(super) fn sources(assumed: &[Assumed]) -> Vec<Source> {
     sorted::sort(&mut all);
     all.dedup();
     all
-}
-
-/// Whether something was judged from what has a value at a place, which says nothing of what it is elsewhere.
-fn draws_on_values(judged: &Judged) -> bool {
-    let mut assumed = judged.assumed.iter();
-    assumed.any(|own| own.formula.speaks_of_values())
 }

@@ -10,6 +10,7 @@
 
 mod again;
 mod along;
+mod averaged;
 mod branch;
 mod cases;
 mod cited;

@@ -82,7 +82,9 @@ impl Auditor<'_> {
             let is_open = matches!(&own.outcome, Outcome::Open(stop) if is_simply_open(stop));
             is_open && is_equation && is_plain
         };
-        let Some(open) = entry.judged.iter().position(is_open) else {
+        let sets_against = || judge::Judge::new(self, how.at, how.usable).sets_against();
+        let open = entry.judged.iter().position(is_open);
+        let Some(open) = open.filter(|_| !sets_against()) else {
             return entry;
         };
         let judged = &entry.judged[open];
@@ -232,7 +234,14 @@ impl Auditor<'_> {
             let Some((own, Outcome::Proven(proven))) = own.map(|own| (own, &own.outcome)) else {
                 continue;
             };
-            if !is_right(&other, entry, own) || self.says_the_same(how.at, &own.goal, goal) {
+            let of_another_case = || {
+                let formula = &own.goal.formula;
+                self.derivation.is_of_section_before(how.at, formula)
+            };
+            if !is_right(&other, entry, own)
+                || self.says_the_same(how.at, &own.goal, goal)
+                || of_another_case()
+            {
                 continue;
             }
             let mut notes = other.notes.iter();
@@ -256,7 +265,7 @@ impl Auditor<'_> {
                     .collect();
                 judge.is_contradictory(&with_shown, &own.goal)
             };
-            if !under.is_empty() && is_contradictory() {
+            if !under.is_empty() && (search::rests_on_contradiction(proven) || is_contradictory()) {
                 continue;
             }
             return Some(Shown {

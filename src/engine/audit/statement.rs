@@ -2,6 +2,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Beyond, Equation, Goal, Kind, Source, goals};
+use crate::document::Span;
 use crate::kernel::Standing;
 use crate::notation::{Connective, Statement};
 use crate::search::{self, Consistency, Decision};
@@ -217,7 +218,7 @@ impl Auditor<'_> {
             return Some(found);
         }
         if how.defines
-            && let Some(found) = judge.as_no_solution(goal, how.premises)
+            && let Some(found) = judge.as_no_solution(goal, how.premises, None)
         {
             links.contradicted = true;
             return Some(found);
@@ -227,7 +228,7 @@ impl Auditor<'_> {
         match there.or_else(|| how.defines.then(solved).flatten()) {
             Some(There::Solved(found)) => Some(*found),
             Some(There::Refuted(found)) => {
-                links.contradicted = true;
+                links.contradicted = found.judged.outcome.is_refuted();
                 Some(*found)
             }
             Some(There::Shown) if names_a_symbol(&goal.formula) => {
@@ -363,7 +364,10 @@ impl Auditor<'_> {
                 None => entry.verdict = Verdict::Undecided,
             }
         }
-        if entry.verdict == Verdict::Fails && !equation.unread.is_empty() {
+        if entry.verdict == Verdict::Fails
+            && !equation.unread.is_empty()
+            && !self.only_says_where_it_begins(equation, entry)
+        {
             leave_open(entry, &self.unread(equation));
         }
         if entry.verdict == Verdict::Fails
@@ -478,6 +482,29 @@ impl Auditor<'_> {
             said.chain(cases)
         });
         all.collect()
+    }
+
+    /// Whether what was not understood only says where something begins that does not obey its law: "At the clamp both $w$ and $w'$ vanish".
+    fn only_says_where_it_begins(&self, equation: &Equation, entry: &Entry) -> bool {
+        const VANISHING: [&str; 3] = ["vanish", "vanishes", "zero"];
+        let refuted = entry.refuted().map(|own| own.0);
+        let Some(refuted) = refuted.filter(|own| own.solution().is_some()) else {
+            return false;
+        };
+        let moved = Formula::differentiated_in([&refuted.goal.formula].into_iter());
+        let source = &self.derivation.pages[equation.page].document.source;
+        let is_of_it = |name: &str| {
+            let name = name.trim().trim_end_matches('\'');
+            moved.iter().any(|own| own.name() == name)
+        };
+        let begins = |said: &Span| {
+            let text = source.get(said.range()).unwrap_or_default();
+            let pieces: Vec<&str> = text.split('$').collect();
+            let mut words = pieces.iter().step_by(2).flat_map(|own| own.split(' '));
+            let mut formulas = pieces.iter().skip(1).step_by(2);
+            formulas.all(|own| is_of_it(own)) && words.any(|own| VANISHING.contains(&own))
+        };
+        equation.unread.iter().all(begins)
     }
 
     /// What is supposed before an equation and could not be read.

@@ -4,10 +4,11 @@ use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::Inline;
-use crate::notation::read_expr;
+use crate::notation::{Statement, read_expr};
 use crate::sorted::Set;
 
 use super::Derivation;
+use super::equation::formulas;
 
 impl Derivation {
     /// Whether any equation of a page speaks of a symbol.
@@ -25,6 +26,23 @@ impl Derivation {
         let all = self.mentions[self.equations[at].page].get(symbol);
         let all = all.into_iter().flatten().copied();
         all.take_while(move |&other| other < at)
+    }
+
+    /// The first equation that says just this.
+    pub fn stating(&self, formula: &Formula) -> Option<usize> {
+        (0..self.equations.len()).find(|&at| self.states(at, formula))
+    }
+
+    /// Whether a section before that of an equation says just this: here it would be said of another case, `P = \frac{\pi^2 E I}{L^2}` of a
+    /// strut with other ends.
+    pub fn is_of_section_before(&self, at: usize, formula: &Formula) -> bool {
+        let page = self.equations_of(self.equations[at].page);
+        (page.start..self.section_start(at)).any(|other| self.states(other, formula))
+    }
+
+    fn states(&self, at: usize, formula: &Formula) -> bool {
+        let says = |own: &Statement| formulas(own).contains(formula);
+        self.equations[at].statements().iter().any(says)
     }
 
     /// Whether the text between a display and the one before it names a symbol, and nothing is understood that it says of it: "for a loan of

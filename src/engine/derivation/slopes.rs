@@ -47,6 +47,8 @@ struct Given {
     differentiated: Set<Symbol>,
     /// What is differentiated by the time.
     rates: Set<Symbol>,
+    /// By what something is differentiated, if by one thing alone.
+    slopes: Map<Symbol, Option<Symbol>>,
 }
 
 /// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
@@ -70,6 +72,7 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
         }
     }
     given.tie_together();
+    given.heed_slopes();
     if given.marked.iter().any(|own| own.name().ends_with("''")) {
         let in_text = names::arguments_in_text(&page.document.source, page.document.inline());
         given.heed(in_text);
@@ -125,7 +128,35 @@ impl Given {
             self.collect_marked(term);
             term.collect_differentiated(&mut self.differentiated);
             self.collect_rates(term, time);
+            self.collect_slopes(term);
         }
+    }
+
+    /// The place `L` in `w(L) = \frac{F L^3}{3 E I}` is no variable of a `w` of which `\frac{dw}{dx}` is written.
+    fn heed_slopes(&mut self) {
+        for (name, by) in std::mem::take(&mut self.slopes) {
+            if let (Some(argument), Some(_)) = (self.functions.get_mut(&name), &by) {
+                *argument = by;
+            }
+        }
+    }
+
+    /// By what names are differentiated, where that is one thing.
+    fn collect_slopes(&mut self, term: &Expr) {
+        if let Expr::Derivative { body, variable } = term {
+            let mut inner = &**body;
+            while let Expr::Derivative { body, .. } = inner {
+                inner = body;
+            }
+            if let Expr::Symbol(name) | Expr::Apply(name, _) = inner {
+                let known = self.slopes.entry(name.clone());
+                let known = known.or_insert_with(|| Some(variable.clone()));
+                if known.as_ref() != Some(variable) {
+                    *known = None;
+                }
+            }
+        }
+        (term.children()).for_each(|part| self.collect_slopes(part));
     }
 
     /// The names of which `\frac{dx}{dt}` is written.

@@ -7,10 +7,11 @@ use std::borrow::Cow;
 
 use num_traits::{One, Zero};
 
-use super::unit::raised_figure;
+use super::unit::{Unit, raised_figure};
 use super::{Before, BeforeKind, Clause, Statement, figures, unit};
 use crate::algebra::{BigRational, Expr, Symbol};
 use crate::document::Span;
+use crate::sorted::Map;
 
 /// Between a formula and its unit, and between units.
 const SPACES: &[&str] = &[" ", "~", "\u{a0}", "\u{202f}", "\\,", "\\ ", "\\;", "\n"];
@@ -105,7 +106,7 @@ fn micro(source: &str, body: Span, term: &Expr) -> Option<(Expr, BigRational)> {
     if !is_counted(&number) || !is_spaced || !after.starts_with(|c: char| c.is_ascii_alphabetic()) {
         return None;
     }
-    Some((number, unit_at(&format!("µ{}", beginning(after)))?))
+    Some((number, unit_at(&format!("µ{}", beginning(after)))?.number))
 }
 
 fn factor_after(source: &str, end: usize) -> Option<Factor> {
@@ -123,12 +124,58 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
     if spaces == 0 && !is_sign && !is_spaced {
         return None;
     }
-    // `$\lambda = 18$ per hour`
-    let factor = match spaced.strip_prefix("per ") {
-        Some(below) => unit_at(without_spaces(below).0).map(|own| own.recip()),
-        None => unit_at(spaced),
+    unit_or_per_unit(spaced).map(|own| Factor::Unit(own.number))
+}
+
+/// The unit that a text begins with, `t/a`, or what it is per: `$\lambda = 18$ per hour`.
+fn unit_or_per_unit(text: &str) -> Option<Unit> {
+    match text.strip_prefix("per ") {
+        Some(below) => {
+            let mut unit = Unit::one();
+            unit.times(&unit_at(without_spaces(below).0)?, -1)?;
+            Some(unit)
+        }
+        None => unit_at(text),
+    }
+}
+
+/// Whether the units that stand beside formulas, which end there, are of one system, so that figures in them can be reckoned with as they are
+/// written: tonnes and years, and not hours and minutes.
+pub(crate) fn are_of_one_system(source: &str, ends: &[usize]) -> bool {
+    let unit = |&end: &usize| {
+        let rest = with_signs(after_formula(source, end)?).into_owned();
+        unit_or_per_unit(without_spaces(&rest).0)
     };
-    factor.map(Factor::Unit)
+    let mut open: Vec<Unit> = ends.iter().filter_map(unit).collect();
+    let mut known: Map<Symbol, BigRational> = Map::new();
+    while !open.is_empty() {
+        // A unit with one base that is not known yet says how much of that is one.
+        let settles = |own: &Unit| {
+            let mut unknown = own.factors().filter(|(base, _)| !known.contains_key(base));
+            let first = unknown.next();
+            unknown.next().is_none() && first.is_none_or(|(_, power)| power.abs() == 1)
+        };
+        let Some(at) = open.iter().position(settles) else {
+            return false;
+        };
+        let own = open.remove(at);
+        let mut left = own.number.clone();
+        let mut unknown = None;
+        for (base, power) in own.factors() {
+            match known.get(&base) {
+                Some(size) => left /= size.pow(power),
+                None => unknown = Some((base, power)),
+            }
+        }
+        match unknown {
+            Some((base, power)) => {
+                known.insert(base, left.pow(power));
+            }
+            None if left.is_one() => {}
+            None => return false,
+        }
+    }
+    true
 }
 
 /// What stands behind a formula in the text that ends there.
@@ -165,8 +212,8 @@ fn with_signs(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// How much of the SI the unit is that a text begins with.
-fn unit_at(text: &str) -> Option<BigRational> {
+/// The unit that a text begins with.
+fn unit_at(text: &str) -> Option<Unit> {
     let (mut rest, mut spelt, mut found) = (text, String::new(), None);
     let one = BigRational::one();
     for _ in 0..MOST_PARTS {
@@ -192,7 +239,7 @@ fn unit_at(text: &str) -> Option<BigRational> {
         // Whether K stands below the stroke in `kJ/kg K` is not clear, and makes no odds.
         let is_one = unit::read(&symbol).is_ok_and(|own| own.number == one);
         match unit::read(&spelt) {
-            Ok(unit) => found = Some(unit.number),
+            Ok(unit) => found = Some(unit),
             Err(_) if found.is_some() && is_one => {}
             Err(_) => return None,
         }

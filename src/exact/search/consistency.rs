@@ -4,7 +4,7 @@ use super::attempt::{compared, prove_unconditionally};
 use super::prove::Prover;
 use super::{EARNEST, Effort, QUICK, algebraic, first, refute, still, unfold};
 use crate::algebra::{Expr, Polynomial, Rational, Relation};
-use crate::kernel::{Assignment, Claim, Fact, Model, Obligation, Proven, Sign};
+use crate::kernel::{Assignment, Claim, Fact, Model, Obligation, Problem, Proven, Sign};
 
 /// Whether premises can be true together.
 #[derive(Clone, Debug)]
@@ -74,4 +74,22 @@ pub(super) fn contradiction(premises: &Obligation) -> Option<Proven> {
         };
         Some(prove_unconditionally(claim, Effort::Full)?.proven)
     })
+}
+
+/// Whether what a proof rests on cannot all be true as the proof reads it, with what it puts in and differentiates: anything would follow.
+pub fn rests_on_contradiction(proven: &Proven) -> bool {
+    let certificate = proven.certificate();
+    let problem = Problem::new(proven.claim(), &certificate.unfold);
+    let problem = problem.and_then(|problem| problem.with_rates(&certificate.rates));
+    problem.is_ok_and(|problem| is_impossible(&problem))
+}
+
+/// Whether `1 = 0` follows from the facts of a problem.
+pub(super) fn is_impossible(problem: &Problem) -> bool {
+    let impossible = Fact {
+        polynomial: Polynomial::constant(Rational::one()),
+        sign: Sign::Zero,
+    };
+    let prover = Prover::new(problem);
+    prover.is_ok_and(|mut prover| prover.prove(&impossible, Effort::Full).is_some())
 }

@@ -47,7 +47,7 @@ pub use attempt::{
     Derived, divided_beside_roots, may_do_without, prove_posed, prove_unconditionally,
 };
 use consistency::contradiction;
-pub use consistency::{Consistency, consistency, consistency_posed};
+pub use consistency::{Consistency, consistency, consistency_posed, rests_on_contradiction};
 pub use family::family;
 pub use implied::{Implied, implied, value_in_constants};
 pub use induction::{prove_for_every, refute_by_first_elements};

@@ -1,11 +1,12 @@
 //! Laws differentiated: a law holds at all times, so its two sides change at the same rate.
 
+use super::consistency::is_impossible;
 use super::course::{self, said_to_move};
 use super::prove::Prover;
 use super::{
     Attempt, Decision, Derived, Effort, assuming, attempt_with, derived, pose, prove_posed, still,
 };
-use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, expr_of, factors};
+use crate::algebra::{Atom, Expr, Formula, Polynomial, Symbol, expr_of, factors};
 use crate::kernel::{Certificate, Claim, Fact, Knowledge, Obligation, Origin, Problem, Rate, Sign};
 use crate::sorted::Set;
 
@@ -164,12 +165,7 @@ fn attempt_from(
     };
     let found = proved(Effort::Light).or_else(|| proved(Effort::Full))?;
     // What holds at one value of the variable alone, be it meant as a law or not, contradicts its own slope.
-    let mut prover = Prover::new(&problem).ok()?;
-    let impossible = Fact {
-        polynomial: Polynomial::constant(Rational::one()),
-        sign: Sign::Zero,
-    };
-    if prover.prove(&impossible, Effort::Full).is_some() {
+    if is_impossible(&problem) {
         return None;
     }
     Some(match found {

@@ -315,6 +315,9 @@ impl Judge<'_> {
         };
         // Anything follows from what contradicts itself: two regimes, of which each has its own.
         if let Some(mended) = mended
+            && !self
+                .derivation
+                .is_of_section_before(self.at, &mended.proven.claim().goal)
             && !self.is_contradictory(&all, goal)
         {
             (found.mended, found.implied) = (Some(Box::new(mended)), None);

@@ -22,7 +22,9 @@ const ALIKE: [&str; 10] = [
     "same",
 ];
 /// With one of these it sets something against what stands before.
-const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
+const SET_AGAINST: [&str; 6] = [
+    "whereas", "while", "contrast", "instead", "rather", "reduced",
+];
 /// What words say of what does not change, and of what they say it.
 const CONSERVED: &str = "conserved";
 const CONSERVABLE: [&str; 5] = ["energy", "angular momentum", "momentum", "charge", "mass"];
@@ -71,21 +73,36 @@ impl Judge<'_> {
         assumed: &[Assumed],
         found: &mut Found,
     ) {
-        if !found.judged.outcome.is_refuted() || !self.cites_loosely() || !self.says(&SET_AGAINST) {
+        if !found.judged.outcome.is_refuted() || !self.cites_loosely() || !self.sets_against() {
             return;
         }
-        let Some((Expr::Symbol(of), _)) = goal.formula.as_equation() else {
-            return;
+        let of = match goal.formula.as_equation() {
+            Some((Expr::Symbol(of), _)) => of,
+            Some((Expr::Limit { body, .. }, _)) => match &**body {
+                Expr::Symbol(of) | Expr::Apply(of, _) => of,
+                _ => return,
+            },
+            _ => return,
         };
-        let is_value = |own: &Assumed| matches!(own.source, Source::Equation(_)) && own.is_of(of);
+        let is_of_it = |own: &Formula| {
+            let sides = own.as_equation();
+            matches!(sides, Some((Expr::Symbol(own) | Expr::Apply(own, _), _)) if own == of)
+        };
+        let is_value =
+            |own: &Assumed| matches!(own.source, Source::Equation(_)) && is_of_it(&own.formula);
         let is_given_value = |at: usize| {
             let mut before = self.derivation.equations[at].statements().iter();
-            before.any(|own| first_goal(own).is_some_and(|own| own.is_of(of)))
+            before.any(|own| first_goal(own).is_some_and(|own| is_of_it(&own.formula)))
         };
         let mut speaking = self.derivation.speaking_before(self.at, of);
         if assumed.iter().any(is_value) || speaking.any(is_given_value) {
             found.leave_open("words set it against another value that stands before");
         }
+    }
+
+    /// Whether words set what is said against what stands before: "The wall moment is then reduced to".
+    pub(in crate::audit) fn sets_against(&self) -> bool {
+        self.says(&SET_AGAINST)
     }
 
     /// Leaves open what was refuted after a law that only words name: "Kinetic energy is conserved as well", where no display says that.

@@ -13,6 +13,7 @@
 mod against;
 mod approximated;
 pub(super) mod borrowed;
+mod compared;
 pub(super) mod conditions;
 pub(super) mod expanded;
 mod going_on;

@@ -13,7 +13,7 @@ use crate::sorted::Set;
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
 use super::conditions::collect_waves;
-use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named};
+use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named, without_factors};
 
 /// What a solution comes after, where nothing else says that it is one.
 const SOLVING: [&str; 17] = [
@@ -81,10 +81,14 @@ const MEETING: [&str; 12] = [
 ];
 /// What is put in for constants.
 const NUMBERS: [i64; 6] = [2, 3, 5, 7, 11, 13];
+/// Why a solution is left open that a point of its law refutes.
+const OBEYS: &str =
+    "it obeys the law that it is drawn from, and from where it begins was not understood";
 /// So much work is done, as [`effort`] counts it.
 const MOST_WORK: u64 = 2_000_000;
 
 /// What is said to be a solution, and of what.
+#[derive(Clone)]
 struct Solution {
     law: Assumed,
     variable: Symbol,
@@ -132,12 +136,20 @@ impl Solution {
 }
 
 impl Judge<'_> {
-    /// What to say of a solution that obeys the law that it is said to solve for no values of its constants but nought.
+    /// What to say of a solution that obeys the law that it is said to solve for no values of its constants but nought, or of one that obeys
+    /// it and was refuted all the same.
     pub(in crate::audit) fn as_no_solution(
         &self,
         goal: &Goal,
         premises: &[usize],
+        judged: Option<&Judged>,
     ) -> Option<Found> {
+        // A point of a law refutes nothing that is said to come of an integration.
+        let at_a_point = |own: &&Judged| own.outcome.is_refuted() && !draws_on_values(own);
+        let refuted_at_a_point = judged.filter(at_a_point);
+        if refuted_at_a_point.is_some() && !self.says(&SOLVING) {
+            return None;
+        }
         let mut own = self.said_to_solve(goal, premises)?;
         effort::within(MOST_WORK, || {
             let mut decision = self.decide_of(&own, &own.assumed, &own.law.formula)?;
@@ -159,14 +171,21 @@ impl Judge<'_> {
                 // It obeys the law, and may have another value where the text tells one.
                 Decision::Proven { .. } => {
                     let begins = self.begins_otherwise(goal, &own);
-                    return begins.or_else(|| self.ends_otherwise(goal, &own));
+                    let other = begins.or_else(|| self.ends_otherwise(goal, &own));
+                    return other.or_else(|| {
+                        let mut open = Found::open(refuted_at_a_point?.clone());
+                        open.leave_open(OBEYS);
+                        Some(open)
+                    });
                 }
                 Decision::Open(_) => return self.ends_otherwise(goal, &own),
             };
             // For some values of the constants that it brings along it may be one, whatever the law's own are.
-            if !own.constants.iter().all(|symbol| own.is_of_law(symbol))
-                && !self.is_one_for_none(goal, &own, &refuted)
-            {
+            let brings = !own.constants.iter().all(|symbol| own.is_of_law(symbol));
+            if brings && !self.is_one_for_none(goal, &own, &refuted) {
+                return None;
+            }
+            if !self.is_none_whatever_else(goal, &own, &refuted) {
                 return None;
             }
             let mut found = refuted_of(goal, &own.law.formula, &own.assumed, refuted);
@@ -181,13 +200,12 @@ impl Judge<'_> {
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
         }
-        let (left, right) = &for_the_quantity(left, right);
-        let (right, own_variable) = with_own_value_named(left, right);
-        let solution = Formula::equal(left.clone(), right.clone());
+        let (left, right) = for_the_quantity(left, right);
+        let (right, own_variable) = with_own_value_named(&left, &right);
         // "and, since the liquid sticks to the wall, $u(a) = 0$,"
         let says_where = || {
             let mut said = self.derivation.conditions_said(self.at).into_iter();
-            said.any(|said| said.just_said && said.of == *left)
+            said.any(|said| said.just_said && said.of == left)
         };
         let own = &self.derivation.equations[self.at];
         if !own.drawn && !self.says(&SOLVING) && !says_where() {
@@ -203,7 +221,9 @@ impl Judge<'_> {
         let mut moved = standing_in_slopes(laws().map(|own| &*own.formula));
         moved.retain(|own| left.mentions(own) && !right.mentions(own));
         let of = moved.pop_first().filter(|_| moved.is_empty())?;
-        let variable = self.variable_between(left, &right)?;
+        let variable = self.variable_between(&left, &right)?;
+        let (left, right) = without_factors(&left, &right, &of).unwrap_or((left, right));
+        let solution = Formula::equal(left, right.clone());
         let is_law = |own: &&Assumed| {
             own.standing == Standing::Identity
                 && matches!(own.source, Source::Equation(_))
@@ -303,9 +323,7 @@ impl Judge<'_> {
     /// What to say of a solution that has another value at a boundary than it is said to have: "with
     /// $$\theta(0) = \theta_0, \qquad \theta'(L) = 0$$ The solution satisfying these is".
     fn ends_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
-        let (left, right) = goal.formula.as_equation()?;
-        let (left, right) = for_the_quantity(left, right);
-        let Expr::Symbol(of) = left else {
+        let (Expr::Symbol(of), right) = own.assumed.first()?.formula.as_equation()? else {
             return None;
         };
         let value_there = |said: &Assumed| {
@@ -313,9 +331,9 @@ impl Judge<'_> {
             let Expr::Limit { body, variable, .. } = there else {
                 return None;
             };
-            let is_told = body.mentions(&of) && *variable == own.variable;
-            let is_told = is_told && !value.mentions(&of) && !value.mentions(variable);
-            is_told.then(|| Formula::equal(there.substitute(&of, &right), value.clone()))
+            let is_told = body.mentions(of) && *variable == own.variable;
+            let is_told = is_told && !value.mentions(of) && !value.mentions(variable);
+            is_told.then(|| Formula::equal(there.substitute(of, right), value.clone()))
         };
         let mut told = self.usable.assumed.clone();
         if self.says(&MEETING) {
@@ -333,6 +351,22 @@ impl Judge<'_> {
             assumed.push(said);
             Some(refuted_of(goal, &there, &assumed, refuted))
         })
+    }
+
+    /// Whether a solution obeys its law for no values of the constants either on which it is silent: for some `I` it does where
+    /// `w = w_0 + \frac{5 \mu g}{2 R} t` comes after `I \frac{dw}{dt} = \mu m g R`.
+    fn is_none_whatever_else(&self, goal: &Goal, own: &Solution, point: &Refuted) -> bool {
+        let named = goal.formula.names();
+        if own.constants.is_subset(&named) {
+            return true;
+        }
+        let is_of_silent = |said: &Assumed| {
+            said.source == Source::Taken && said.formula.names().is_disjoint(&named)
+        };
+        let mut freed = own.clone();
+        freed.fixed.retain(|symbol| named.contains(symbol));
+        freed.assumed.retain(|said| !is_of_silent(said));
+        self.is_one_for_none(goal, &freed, point)
     }
 
     /// Whether a solution obeys its law for no values of the constants that it brings along, where those of the law are as a point says.
@@ -484,4 +518,10 @@ fn refuted_of(goal: &Goal, formula: &Formula, assumed: &[Assumed], refuted: Refu
         assumed: assumed.to_vec(),
         outcome: Outcome::Refuted(refuted.into()),
     })
+}
+
+/// Whether a step draws on what says the value of something at a place.
+fn draws_on_values(judged: &Judged) -> bool {
+    let mut assumed = judged.assumed.iter();
+    assumed.any(|own| own.formula.speaks_of_values())
 }

@@ -4,7 +4,9 @@
 //! What both sides differ by does not change, by itself or times an exponential, and it is 0 at the place; then it is 0 everywhere. A law by itself leaves open which solution
 //! is meant, so a point on it refutes none: what refutes one is that it does not obey the law, or has another value there.
 
-use crate::algebra::{Expr, Formula, Function, LimitPoint, Symbol, effort, split_subscript};
+use crate::algebra::{
+    Expr, Formula, Function, LimitPoint, Symbol, effort, product_of, split_subscript,
+};
 use crate::derivation::{Assumed, ConditionSaid, Goal};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort};
@@ -242,6 +244,22 @@ pub(super) fn for_the_quantity(left: &Expr, right: &Expr) -> (Expr, Expr) {
         }
         _ => (left.clone(), right.clone()),
     }
+}
+
+/// The same where the quantity is one of some factors: `w = \frac{f}{E I}` of `E I w = f`.
+pub(super) fn without_factors(left: &Expr, right: &Expr, of: &Symbol) -> Option<(Expr, Expr)> {
+    let Expr::Product(factors) = left else {
+        return None;
+    };
+    let (own, others): (Vec<&Expr>, Vec<&Expr>) = factors.iter().partition(|own| own.mentions(of));
+    let [own @ Expr::Symbol(_)] = own[..] else {
+        return None;
+    };
+    let below = product_of(others.into_iter().cloned().collect());
+    Some((
+        own.clone(),
+        Expr::Quotient(right.clone().into(), below.into()),
+    ))
 }
 
 /// What stands for the value at a place, whatever that is.

@@ -14,14 +14,6 @@ use super::super::judge::{Found, Judge, condition, sources, step};
 use super::super::{Judged, Outcome};
 use super::conditions::unbounded;
 
-/// With one of these a text says that the two sides of an equation are compared for every value of a variable.
-const COMPARING: [&str; 5] = [
-    "slope",
-    "intercept",
-    "coefficient",
-    "coefficients",
-    "comparing",
-];
 /// More symbols than this are not held constant.
 const MOST_HELD: usize = 14;
 /// A law is differentiated so often where a step is held against it.
@@ -68,27 +60,6 @@ impl Judge<'_> {
                 .any(|(variable, own)| self.holds_for_all(variable, goal, own, found))
     }
 
-    /// What is compared as words say, for every value of a variable that the step leaves out: "From slope $b$ and intercept $a$" of
-    /// `\frac{4 \pi^2}{k} (m + M) = a + b m` for every `m`.
-    fn compared(&self, goal: &Goal, set: &[Assumed]) -> Vec<(Symbol, Vec<Assumed>)> {
-        if !self.says(&COMPARING) {
-            return Vec::new();
-        }
-        let named = goal.formula.names();
-        let mut compared = Vec::new();
-        let is_law = |own: &&Assumed| own.standing == Standing::Identity;
-        for own in set.iter().filter(is_law) {
-            let Some((left, right)) = own.formula.as_equation() else {
-                continue;
-            };
-            let right = right.free_symbols();
-            let both = (left.free_symbols().into_iter()).filter(|own| right.contains(own));
-            let both = both.filter(|own| !own.is_unit() && !named.contains(own));
-            compared.extend(both.map(|variable| (variable.clone(), vec![own.clone()])));
-        }
-        compared
-    }
-
     /// The same for every value of one variable.
     pub(in crate::audit) fn holds_for_all(
         &self,
@@ -126,7 +97,10 @@ impl Judge<'_> {
             return false;
         }
         let combined = (set.iter().enumerate()).filter(|(at, _)| derived.combined.contains(at));
-        let combined: Vec<Assumed> = combined.map(|(_, own)| own.clone()).collect();
+        let combined: Vec<&Formula> = combined.map(|(_, own)| &*own.formula).collect();
+        // What follows from two equations is so by both.
+        let combined = set.iter().filter(|own| combined.contains(&&*own.formula));
+        let combined: Vec<Assumed> = combined.cloned().collect();
         // What comes from nothing that varies needs nothing to stand still.
         let is_of_it = |own: &Formula| own.terms().iter().any(|term| term.mentions(variable));
         if combined.is_empty() && !is_of_it(&goal.formula) {
@@ -169,6 +143,24 @@ impl Judge<'_> {
         effort::within(MOST_WORK, || {
             let mut variables = variables.iter();
             variables.find_map(|variable| self.fails_for_all(variable, goal, &set))
+        })
+    }
+
+    /// The same of a step that compares, as words say, what stands before it.
+    pub(in crate::audit) fn fails_compared(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+    ) -> Option<Found> {
+        if goal.questioned || !goal.suppositions.is_empty() || goal.formula.speaks_of_slopes() {
+            return None;
+        }
+        let cited = &self.usable.assumed;
+        let near = self.with_others(cited, premises);
+        let set = near.unwrap_or_else(|| cited.clone());
+        let compared = self.compared(goal, &set);
+        effort::within(MOST_WORK, || {
+            (compared.iter()).find_map(|(variable, own)| self.fails_for_all(variable, goal, own))
         })
     }
 

@@ -6,8 +6,8 @@
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::document::Span;
-use crate::notation::{has_units, read_expr};
-use crate::search::Effort;
+use crate::notation::{are_of_one_system, has_units, read_expr};
+use crate::search::{Decision, Effort};
 
 use super::super::judge::{Found, Judge};
 
@@ -31,29 +31,74 @@ impl Judge<'_> {
         all.is_some_and(|all| self.holds_under(goal, all, &[], Effort::Light, found))
     }
 
+    /// Leaves open what was refuted with figures in units of the SI, and is not with the numbers that are written beside others:
+    /// "$K = 500$ t" and `N = 250`.
+    pub(in crate::audit) fn heed_other_units(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        if !found.judged.outcome.is_refuted() {
+            return;
+        }
+        let written = |own: &Assumed| self.in_its_own_unit(own).unwrap_or_else(|| own.clone());
+        let as_written: Vec<Assumed> = assumed.iter().map(written).collect();
+        if as_written == assumed || !self.is_in_one_system(assumed) {
+            return;
+        }
+        let decision = self.decide_from(&as_written, &goal.formula);
+        if !matches!(decision, Some(Decision::Refuted(_))) {
+            found.leave_open("it may be meant in the units that stand beside the figures before");
+        }
+    }
+
+    /// Whether the units of figures in the text are of one system.
+    fn is_in_one_system(&self, assumed: &[Assumed]) -> bool {
+        let here = self.derivation.equations[self.at].page;
+        let figure = |own: &Assumed| match own.source {
+            Source::Local(page, local) if page == here => Some(self.derivation.local(page, local)),
+            _ => None,
+        };
+        let figures = assumed.iter().filter_map(figure);
+        let ends: Vec<usize> = figures.map(|own| own.span.end).collect();
+        are_of_one_system(&self.derivation.pages[here].document.source, &ends)
+    }
+
     /// What the text says that a symbol is, in units that leave the number as it is written.
     fn without_units(&self, figure: &Assumed) -> Option<Assumed> {
+        let (_, value) = figure.formula.as_equation()?;
+        let one = Expr::integer(1);
+        let units = value.free_symbols().into_iter();
+        let bare = units.fold(value.clone(), |value, unit| value.substitute(&unit, &one));
+        self.as_written(figure, |written| is_same(&bare, written))
+    }
+
+    /// The same with the number that is written beside a unit that is none of the SI.
+    fn in_its_own_unit(&self, figure: &Assumed) -> Option<Assumed> {
+        let (_, value) = figure.formula.as_equation()?;
+        let is_number = value.free_symbols().is_empty();
+        is_number.then(|| self.as_written(figure, |written| !is_same(value, written)))?
+    }
+
+    /// What the text says that a symbol is with the number that is written, if that is as asked.
+    fn as_written(&self, figure: &Assumed, is_meant: impl Fn(&Expr) -> bool) -> Option<Assumed> {
         let Source::Local(page, local) = figure.source else {
             return None;
         };
         let (Expr::Symbol(_), value) = figure.formula.as_equation()? else {
             return None;
         };
-        let one = Expr::integer(1);
-        let units = value.free_symbols().into_iter();
-        let bare = units.fold(value.clone(), |value, unit| value.substitute(&unit, &one));
         let span = self.derivation.local(page, local).span;
         let source = &self.derivation.pages[page].document.source;
         let text = source.get(span.range())?;
-        let number = text.split_once('=')?.1;
-        let end = number
-            .trim_start()
-            .find(|c: char| !(c.is_ascii_digit() || c == '.'))?;
-        let number = number.trim_start().get(..end)?;
+        let number = text.split_once('=')?.1.trim_start();
+        let end = number.find(|c: char| !(c.is_ascii_digit() || c == '.'));
+        let number = number.get(..end.unwrap_or(number.len()))?;
         let written = read_expr(number, Span::new(0, number.len())).ok()?;
         // A power of ten may stand beside it.
         let power = text.contains("10^") || text.contains("\\times") || text.contains("\\cdot");
-        (!power && is_same(&bare, &written)).then(|| Assumed {
+        (!power && is_meant(&written)).then(|| Assumed {
             formula: figure
                 .formula
                 .map_terms(|term| match term == value {

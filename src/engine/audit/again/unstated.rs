@@ -279,6 +279,9 @@ impl Judge<'_> {
                 continue;
             };
             let meant = mended.proven.claim().goal.clone();
+            if self.derivation.is_of_section_before(self.at, &meant) {
+                continue;
+            }
             // What must not vanish in the equation itself is told rather than what would make it so.
             let names = meant.free_symbols();
             let foreign = |condition: &Formula| condition.free_symbols().is_disjoint(&names);

@@ -5,7 +5,7 @@ use crate::derivation::{Assumed, Beyond, Goal, Source};
 use crate::kernel::Standing;
 use crate::notation::{has_decimals, is_figures};
 
-use super::super::Judged;
+use super::super::{Judged, Outcome};
 use super::{Found, Judge, sources};
 
 impl Judge<'_> {
@@ -75,6 +75,27 @@ impl Judge<'_> {
         self.derivation.pages[page].beyond(&goal.formula)
     }
 
+    /// What a counterexample holds constant in a limit or integral of the goal, and the page lets change with what runs there: `u(0)` of
+    /// a profile `u(r)`.
+    pub(super) fn held_and_moving(&self, judged: &Judged) -> Option<Symbol> {
+        let Outcome::Refuted(refuted) = &judged.outcome else {
+            return None;
+        };
+        let said = (self.derivation).claim(self.at, &judged.assumed, &judged.goal.formula);
+        let is_held = |own: &Symbol| refuted.claim().is_constant(own) && !said.is_constant(own);
+        let moves = |part: &Expr| {
+            let (Expr::Limit { body, variable, .. } | Expr::Integral { body, variable, .. }) = part
+            else {
+                return None;
+            };
+            let mut names = body.free_symbols().into_iter();
+            let moves = |own: &Symbol| is_held(own) && self.auditor.changes(self.at, own, variable);
+            names.find(moves)
+        };
+        let mut terms = judged.goal.formula.terms().into_iter();
+        terms.find_map(|term| first_in(term, &moves))
+    }
+
     /// Whether a step takes slopes or integrals, and it cannot be told whether something in it changes.
     pub(super) fn is_disputed(&self, judged: &Judged) -> bool {
         let disputed = &self.derivation.equations[self.at].disputed;
@@ -115,16 +136,15 @@ pub(super) fn moves_unseen(judged: &Judged) -> Option<Expr> {
             None => false,
         })
     };
-    let is_unseen = |part: &Expr| match part {
+    let unseen = |part: &Expr| match part {
         Expr::Derivative { body, variable } if matches!(**body, Expr::Symbol(_)) => {
-            given(body, variable, true) && given(body, variable, false)
+            let is_unseen = given(body, variable, true) && given(body, variable, false);
+            is_unseen.then(|| (**body).clone())
         }
-        _ => false,
+        _ => None,
     };
-    let terms = judged.goal.formula.terms();
-    terms
-        .into_iter()
-        .find_map(|term| slope_in(term, &is_unseen))
+    let mut terms = judged.goal.formula.terms().into_iter();
+    terms.find_map(|term| first_in(term, &unseen))
 }
 
 /// What a goal speaks of, if what it is drawn from tells only how it changes, by its differential: `A = \dots` after `\sigma\,dA` may be
@@ -155,10 +175,7 @@ fn stands_in(term: &Expr, symbol: &Symbol) -> bool {
     }
 }
 
-/// What the first slope in a term that is as asked is taken of.
-fn slope_in(term: &Expr, is_meant: &dyn Fn(&Expr) -> bool) -> Option<Expr> {
-    match term {
-        Expr::Derivative { body, .. } if is_meant(term) => Some((**body).clone()),
-        _ => (term.children()).find_map(|part| slope_in(part, is_meant)),
-    }
+/// The first that is found in a part of a term.
+fn first_in<T>(term: &Expr, find: &dyn Fn(&Expr) -> Option<T>) -> Option<T> {
+    find(term).or_else(|| (term.children()).find_map(|part| first_in(part, find)))
 }

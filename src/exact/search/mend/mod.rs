@@ -11,7 +11,7 @@ use std::mem::{self, Discriminant};
 
 use num_traits::{One, Signed, Zero};
 
-use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values};
+use crate::algebra::{BigRational, Expr, Formula, Relation, Symbol, Values, product_of};
 use crate::kernel::{Assignment, Claim, Domain, Hypothesis, Obligation, Proven, Standing};
 
 use super::{
@@ -494,7 +494,9 @@ fn says_nothing(claim: &Claim, change: &Change, formula: &Formula) -> bool {
     else {
         return true;
     };
-    if times_nothing(formula) && !times_nothing(&claim.goal) {
+    if times_nothing(formula) && !times_nothing(&claim.goal)
+        || has_like_summands(formula) && !has_like_summands(&claim.goal)
+    {
         return true;
     }
     let bare = Claim {
@@ -538,6 +540,38 @@ fn says_nothing(claim: &Claim, change: &Change, formula: &Formula) -> bool {
         standing: Standing::AtPoint,
     });
     model(&reached).is_none()
+}
+
+/// Whether a sum in a formula has two summands that nobody leaves apart: `\frac2r - \frac1r`.
+fn has_like_summands(formula: &Formula) -> bool {
+    let has = |part: &Expr| match part {
+        Expr::Sum(summands) => {
+            let kinds: Vec<Expr> = summands.iter().map(without_coefficient).collect();
+            (kinds.iter().enumerate()).any(|(at, own)| kinds[..at].contains(own))
+        }
+        _ => false,
+    };
+    formula.terms().into_iter().any(|term| term.any(&has))
+}
+
+/// A summand without its sign and the numbers that it is multiplied with or divided by.
+fn without_coefficient(term: &Expr) -> Expr {
+    match term {
+        Expr::Negate(inner) => without_coefficient(inner),
+        Expr::Number(_) => Expr::integer(1),
+        Expr::Quotient(above, below) => {
+            let (above, below) = (without_coefficient(above), without_coefficient(below));
+            match below == Expr::integer(1) {
+                true => above,
+                false => Expr::Quotient(above.into(), below.into()),
+            }
+        }
+        Expr::Product(factors) => {
+            let is_number = |own: &&Expr| !matches!(own, Expr::Number(_));
+            product_of(factors.iter().filter(is_number).cloned().collect())
+        }
+        term => term.clone(),
+    }
 }
 
 /// Whether something in a formula is multiplied by 0: `0 (a - b) = 0`.

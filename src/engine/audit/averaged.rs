@@ -1,0 +1,100 @@
+//! Means of sequences: `\sum_i (x_i - \bar x)^2 = \sum_i x_i^2 - n \bar x^2`, where a text speaks of means and nothing on the page says what
+//! `\bar x` is.
+//!
+//! **Statement.** $\bar x = \frac1n \sum_{i=1}^n x_i$, the arithmetic mean of what the sum runs over (ISO 3534-1:2006, 1.15). It is what the bar
+//! is written for, and it is told that it was taken so.
+
+use crate::algebra::{Expr, Formula, Symbol};
+use crate::derivation::{Assumed, Goal, formulas, says_of};
+
+use super::judge::{Judge, taken};
+
+/// With one of these words a text speaks of means.
+const MEANS: [&str; 4] = ["mean", "means", "average", "averages"];
+/// What is written above the name of a sequence for its mean.
+const BARS: [&str; 2] = ["\\bar", "\\overline"];
+
+impl Judge<'_> {
+    /// What the means are of which a goal speaks beside the elements of a sequence.
+    pub(super) fn averaged(&self, goal: &Goal, assumed: &[Assumed]) -> Vec<Assumed> {
+        let mut found = Vec::new();
+        for sequence in goal.formula.sequences() {
+            let bars = BARS.map(|bar| Symbol::new(format!("{bar}{{{sequence}}}")));
+            let names = goal.formula.names();
+            let Some(mean) = bars.into_iter().find(|own| names.contains(own)) else {
+                continue;
+            };
+            let is_said = assumed.iter().any(|own| own.is_of(&mean));
+            if is_said || self.is_said_anywhere(&mean) || !self.speaks_of_means() {
+                continue;
+            }
+            let mut terms = goal.formula.terms().into_iter();
+            if let Some((from, to)) = terms.find_map(|term| range_of(term, &sequence)) {
+                found.push(taken(&mean_of(mean, sequence, from, to)));
+            }
+        }
+        found
+    }
+
+    /// Whether an equation of the page, this one and later ones included, says what a symbol is.
+    fn is_said_anywhere(&self, symbol: &Symbol) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        let mut all = self.derivation.equations_of(page);
+        all.any(|at| {
+            let statements = self.derivation.equations[at].statements().iter();
+            statements
+                .flat_map(formulas)
+                .any(|own| says_of(&own, symbol))
+        })
+    }
+
+    fn speaks_of_means(&self) -> bool {
+        let page = self.derivation.equations[self.at].page;
+        let source = &self.derivation.pages[page].document.source;
+        let mut words = source.split(|c: char| !c.is_alphabetic());
+        words.any(|word| MEANS.contains(&word))
+    }
+}
+
+/// From where to where the first sum over the elements of a sequence runs.
+fn range_of<'e>(term: &'e Expr, sequence: &Symbol) -> Option<(&'e Expr, &'e Expr)> {
+    if let Expr::Series {
+        index,
+        from,
+        to,
+        body,
+    } = term
+    {
+        let is_own = |part: &Expr| matches!(part, Expr::Element { sequence: own, index: at } if own == sequence && at == index);
+        if body.any(&is_own) {
+            return Some((from, to));
+        }
+    }
+    (term.children()).find_map(|part| range_of(part, sequence))
+}
+
+fn mean_of(mean: Symbol, sequence: Symbol, from: &Expr, to: &Expr) -> Formula {
+    let index = Symbol::new("i");
+    let body = Expr::Element {
+        sequence,
+        index: index.clone(),
+    };
+    let sum = Expr::Series {
+        index,
+        from: from.clone().into(),
+        to: to.clone().into(),
+        body: body.into(),
+    };
+    let count = match *from == Expr::integer(1) {
+        true => to.clone(),
+        false => Expr::Sum(
+            [
+                to.clone(),
+                Expr::Negate(from.clone().into()),
+                Expr::integer(1),
+            ]
+            .into(),
+        ),
+    };
+    Formula::equal(Expr::Symbol(mean), Expr::Quotient(sum.into(), count.into()))
+}
