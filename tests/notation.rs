@@ -1018,12 +1018,12 @@ const REFUSALS: &[(&str, &str, &str)] = &[
         "TeX does not print these braces",
     ),
     (
-        r"a = \frac{dT}{dx}(0)",
+        r"a = \frac{dT}{dx}(T)",
         "(",
         "whether this is a factor or says where the slope is taken is not clear",
     ),
     (
-        r"a = \frac{dT}{dx}(x_0)",
+        r"a = \frac{dT}{dx}(q)",
         "(",
         "whether this is a factor or says where the slope is taken is not clear",
     ),

@@ -15,7 +15,7 @@ use crate::notation::{plain, plain_symbol};
 use crate::search::{self, Decision, Effort, Implied, Mended};
 use crate::sorted;
 
-use self::unclear::{moves_unseen, only_changes, takes_slope_at_a_point};
+use self::unclear::{moves_unseen, only_changes, squared_to_nought, takes_slope_at_a_point};
 use super::again::borrowed::Before;
 use super::again::limiting::is_told_of;
 use super::premise::Usable;
@@ -209,6 +209,14 @@ impl Judge<'_> {
                     plain_symbol(&symbol)
                 )),
             }
+        }
+        if found.judged.outcome.is_proven()
+            && let Some(symbol) = squared_to_nought(&found.judged)
+        {
+            let symbol = plain_symbol(&symbol);
+            found.leave_open(format!(
+                "the square of `{symbol}` is said to be 0, and so it may be no number: a vector, or something else"
+            ));
         }
         if found.judged.outcome.is_proven()
             && let Some(symbol) = self.joins_what_moves(&found.judged)

@@ -40,6 +40,16 @@ fn collect_limits(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
         .for_each(|child| collect_limits(child, found));
 }
 
+/// What is differentiated, with what by.
+fn collect_slopes(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
+    if let Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } = term {
+        let named = body.free_symbols().into_iter();
+        found.extend(named.map(|own| (own, variable.clone())));
+    }
+    term.children()
+        .for_each(|child| collect_slopes(child, found));
+}
+
 fn at_place(part: &Expr) -> bool {
     matches!(part, Expr::Limit { .. })
 }
@@ -48,6 +58,8 @@ fn at_place(part: &Expr) -> bool {
 #[derive(Default)]
 pub(super) struct Moving {
     differentiated: Set<Symbol>,
+    /// The same with what by.
+    slopes: Set<(Symbol, Symbol)>,
     /// What words say to change.
     told: Set<Symbol>,
     /// What equations differentiate by, each with the position of the first that does.
@@ -111,6 +123,16 @@ impl Moving {
         self.differentiated.contains(symbol) || self.told.contains(symbol)
     }
 
+    /// The same, where that may have to do with a variable: the level `h(t)` of a tank has not with the distance `r` from the axis of its drain.
+    fn moves_with(&self, symbol: &Symbol, variable: &Symbol) -> bool {
+        let is_tied = || {
+            self.moves(variable)
+                || self.explicit.iter().any(|own| own.0 == *variable)
+                || self.slopes.contains(&(symbol.clone(), variable.clone()))
+        };
+        self.told.contains(symbol) || self.differentiated.contains(symbol) && is_tied()
+    }
+
     /// Whether nothing but words says that a symbol changes.
     fn is_told_alone(&self, symbol: &Symbol) -> bool {
         self.told.contains(symbol) && !self.differentiated.contains(symbol)
@@ -127,6 +149,7 @@ impl Moving {
         for term in formula.terms() {
             term.collect_differentiated(&mut self.differentiated);
             collect_limits(term, &mut self.limits);
+            collect_slopes(term, &mut self.slopes);
         }
         let Some((left, right)) = formula.as_equation() else {
             return;
@@ -175,7 +198,7 @@ impl Moving {
         let velocity = dotted(name, false);
         let changes = |named: &Set<Symbol>| {
             let mut all = named.iter();
-            all.any(|other| other == variable || self.moves(other))
+            all.any(|other| other == variable || self.moves_with(other, variable))
         };
         let mut explicit = self.explicit.iter();
         let mut moving = self.differentiated.iter().chain(&self.told);

@@ -153,6 +153,7 @@ impl Auditor<'_> {
                 && is_set_out_from(statement, &goal)
                 && (is_put_to_nought(statement, &goal)
                     || judge.sets_out() && !goal.formula.speaks_of_slopes())
+                && !is_stationary(&found.judged)
                 && !(found.judged.outcome.is_refuted()
                     && found.mended.is_some()
                     && !entry.judged.is_empty())
@@ -371,6 +372,7 @@ impl Auditor<'_> {
             leave_open(entry, &self.unread(equation));
         }
         if entry.verdict == Verdict::Fails
+            && entry.mended.is_none()
             && let Some(symbol) = self.spoken_of_unreadably(equation, entry)
         {
             let reason = format!(
@@ -520,6 +522,16 @@ impl Auditor<'_> {
             unread.join(", ")
         )
     }
+}
+
+/// Whether something is judged from a slope that is said to be 0: what is put to 0 is that, and no new law.
+fn is_stationary(judged: &Judged) -> bool {
+    let is_flat = |own: &Assumed| match own.formula.as_equation() {
+        Some((Expr::Derivative { .. } | Expr::Partial { .. }, value)) => *value == Expr::integer(0),
+        _ => false,
+    };
+    let said = |own: &&Assumed| matches!(own.source, Source::Local(..));
+    judged.assumed.iter().filter(said).any(is_flat)
 }
 
 /// Whether a name stands in the source of a display, not as a part of a longer one.

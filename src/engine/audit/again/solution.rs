@@ -7,7 +7,7 @@
 use crate::algebra::{
     Expr, Formula, Function, LimitPoint, Symbol, effort, product_of, split_subscript,
 };
-use crate::derivation::{Assumed, ConditionSaid, Goal};
+use crate::derivation::{Assumed, ConditionSaid, Goal, Source};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort};
 
@@ -73,6 +73,15 @@ impl Judge<'_> {
         if laws.is_empty() {
             return None;
         }
+        // What is written in another form by what says already what it is needs no law.
+        let is_given = |own: &Assumed| {
+            let names = own.formula.names();
+            matches!(own.source, Source::Equation(_))
+                && !own.formula.speaks_of_slopes()
+                && !own.formula.speaks_of_values()
+                && names.contains(&variable)
+                && names.iter().any(is_subject)
+        };
         let difference = Expr::Sum([left.clone(), Expr::Negate(right.into())].into());
         let kept = possibly_kept(difference, goal, &laws, &variable);
         let mut fixed: Vec<Assumed> = others.iter().copied().cloned().collect();
@@ -112,6 +121,7 @@ impl Judge<'_> {
         if !is_told
             || is_refuted
             || !found.judged.outcome.is_refuted()
+            || found.judged.assumed.iter().any(is_given)
             || self.breaks(goal, &laws, &others)
         {
             return None;

@@ -109,6 +109,24 @@ impl Judge<'_> {
     }
 }
 
+/// A symbol that a goal speaks of beside others, and of which a premise only says that its square is 0: the `k^2 = 0` of a photon's four-momentum.
+pub(super) fn squared_to_nought(judged: &Judged) -> Option<Symbol> {
+    let names = judged.goal.formula.names();
+    let squared = |own: &Assumed| match own.formula.as_equation()? {
+        (Expr::Power(base, exponent), nought) => match &**base {
+            Expr::Symbol(symbol)
+                if **exponent == Expr::integer(2) && *nought == Expr::integer(0) =>
+            {
+                Some(symbol.clone())
+            }
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut squared = judged.assumed.iter().filter_map(squared);
+    squared.find(|own| names.len() > 1 && names.contains(own))
+}
+
 /// Whether a goal takes the slope of something that is given by a term at one point alone: what its slope is there, that does not say.
 pub(super) fn takes_slope_at_a_point(judged: &Judged) -> bool {
     let at_point =

@@ -331,16 +331,17 @@ impl Parser<'_> {
     }
 }
 
-/// Whether what stands below a bar behind a slope names a place: a number, a term, `x_0`, or a letter of lengths. `\frac{dU}{dT} |_V` holds
+/// Whether what stands below a bar behind a slope names a place: a number, a term, `x_0`, `x^*`, or a letter of lengths. `\frac{dU}{dT} |_V` holds
 /// something fixed.
-fn is_a_place(at: &LimitPoint, variable: &Symbol) -> bool {
+pub(super) fn is_a_place(at: &LimitPoint, variable: &Symbol) -> bool {
     let LimitPoint::Finite(at) = at else {
         return false;
     };
     match &**at {
         Expr::Symbol(own) => {
             let stem = split_subscript(own.name()).map(|(stem, _)| stem);
-            LENGTHS.contains(&own.name()) || stem == Some(variable.name())
+            let starred = own.name().strip_suffix("^*");
+            LENGTHS.contains(&own.name()) || [stem, starred].contains(&Some(variable.name()))
         }
         _ => true,
     }

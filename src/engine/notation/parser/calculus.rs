@@ -4,6 +4,7 @@
 //! above); `d` anywhere else is an ordinary symbol. What `\frac{d}{dx}` applies to is the product that follows; if that
 //! starts with a bracket it must end with it, since `\frac{d}{dx}(f) g` says too little. An integrand ends at its `dx`.
 
+use super::between::is_a_place;
 use super::term::invisible;
 use super::vector::is_vector;
 use super::{Kind, Parser, Read, Shape, refuse, refuse_with};
@@ -183,23 +184,44 @@ impl Parser<'_> {
             && self.peek() == Kind::Char('(')
             && (self.starts_name(self.at + 1) || matches!(self.kind(self.at + 1), Kind::Number(_)))
             && self.after_place(self.at + 2) == Kind::Char(')');
-        if is_place {
-            let help = format!(
-                "write `\\left.\\frac{{dy}}{{d{variable}}}\\right|_{{{variable} = 0}}` for the slope there, `\\cdot` for a product"
-            );
-            return refuse_with(
-                self.span(),
-                "whether this is a factor or says where the slope is taken is not clear",
-                help,
-            );
-        }
         let derive = |body: Expr, _| body.differentiated_by(&variable);
         let slope = (0..above).fold(body, derive);
         let slope = match logarithmic {
             true => Expr::Product([Expr::Symbol(variable.clone()), slope].into()),
             false => slope,
         };
-        Ok(Some((slope, shape)))
+        match is_place {
+            true => Ok(Some((self.slope_there(slope, &variable)?, shape))),
+            false => Ok(Some((slope, shape))),
+        }
+    }
+
+    /// A slope at the place in parentheses that follows, a number or what else names one; of what may be a factor it is not clear.
+    fn slope_there(&mut self, slope: Expr, variable: &Symbol) -> Read<Expr> {
+        let open = self.span();
+        self.advance();
+        let at = self.inside(false, Self::sum)?.expr;
+        self.advance();
+        let is_itself = matches!(&at, Expr::Symbol(own) if own == variable);
+        let point = LimitPoint::Finite(at.into());
+        match is_a_place(&point, variable) {
+            true => Ok(Expr::Limit {
+                body: slope.into(),
+                variable: variable.clone(),
+                point,
+            }),
+            false if is_itself => Ok(slope),
+            false => {
+                let help = format!(
+                    "write `\\left.\\frac{{dy}}{{d{variable}}}\\right|_{{{variable} = 0}}` for the slope there, `\\cdot` for a product"
+                );
+                refuse_with(
+                    open,
+                    "whether this is a factor or says where the slope is taken is not clear",
+                    help,
+                )
+            }
+        }
     }
 
     /// The token after the subscript that may begin here.
