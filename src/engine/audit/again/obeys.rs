@@ -4,7 +4,7 @@
 //! them; one that obeys it for none, unless something is nought, is none.
 
 use crate::algebra::{BigRational, Expr, Formula, Function, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Goal, Source, first_goal};
 use crate::document::Extent;
 use crate::kernel::{Refuted, Standing};
 use crate::search::Decision;
@@ -64,6 +64,8 @@ const OF_ANOTHER_LAW: [&str; 26] = [
     "asymptotic",
     "asymptotically",
 ];
+/// Those of them that may only name a case that symbols say.
+const OF_A_CASE: [&str; 4] = ["small", "large", "weak", "strong"];
 /// With one of these it is said to be the one that meets the conditions that stand just before it.
 const MEETING: [&str; 12] = [
     "satisfy",
@@ -150,7 +152,10 @@ impl Judge<'_> {
         if refuted_at_a_point.is_some() && !self.says(&SOLVING) {
             return None;
         }
-        let mut own = self.said_to_solve(goal, premises)?;
+        let own = self.said_to_solve(goal, premises, None);
+        let own = own.map(|own| (own, goal.clone()));
+        let (mut own, solution) = own.or_else(|| self.with_its_parameter(goal, premises))?;
+        let solution = &solution;
         effort::within(MOST_WORK, || {
             let mut decision = self.decide_of(&own, &own.assumed, &own.law.formula)?;
             // With numbers for its constants what is left of the law may have a sign.
@@ -182,10 +187,10 @@ impl Judge<'_> {
             };
             // For some values of the constants that it brings along it may be one, whatever the law's own are.
             let brings = !own.constants.iter().all(|symbol| own.is_of_law(symbol));
-            if brings && !self.is_one_for_none(goal, &own, &refuted) {
+            if brings && !self.is_one_for_none(solution, &own, &refuted) {
                 return None;
             }
-            if !self.is_none_whatever_else(goal, &own, &refuted) {
+            if !self.is_none_whatever_else(solution, &own, &refuted) {
                 return None;
             }
             let mut found = refuted_of(goal, &own.law.formula, &own.assumed, refuted);
@@ -195,7 +200,12 @@ impl Judge<'_> {
     }
 
     /// The law that a goal is said to solve; nothing where words say that it is none of that law, or something else moves.
-    fn said_to_solve(&self, goal: &Goal, premises: &[usize]) -> Option<Solution> {
+    fn said_to_solve(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+        beside: Option<&Assumed>,
+    ) -> Option<Solution> {
         let (left, right) = goal.formula.as_equation()?;
         if goal.questioned || !goal.suppositions.is_empty() {
             return None;
@@ -208,16 +218,17 @@ impl Judge<'_> {
             said.any(|said| said.just_said && said.of == left)
         };
         let own = &self.derivation.equations[self.at];
-        if !own.drawn && !self.says(&SOLVING) && !says_where() {
+        let is_plain = matches!(left, Expr::Symbol(_)) && self.moves_in_time(&left, &right);
+        if !own.drawn && !self.says(&SOLVING) && !says_where() && !is_plain {
             return None;
         }
         // "Without friction the solution is" is of another law.
-        let in_general = own.extent == Extent::Throughout;
-        if self.says(&OF_ANOTHER_LAW) {
+        let in_general = own.extent == Extent::Throughout || self.names_its_case();
+        if self.is_of_another_law() {
             return None;
         }
         let near = &self.others(premises)[0];
-        let laws = || self.usable.assumed.iter().chain(near);
+        let laws = || self.usable.assumed.iter().chain(near).chain(beside);
         let mut moved = standing_in_slopes(laws().map(|own| &*own.formula));
         moved.retain(|own| left.mentions(own) && !right.mentions(own));
         let of = moved.pop_first().filter(|_| moved.is_empty())?;
@@ -289,6 +300,60 @@ impl Judge<'_> {
         let said: Vec<Assumed> = said.collect();
         own.assumed.extend(said);
         Some(own)
+    }
+
+    /// A solution of the same display with what a goal says of one of its constants: "$x = A e^{-\gamma t} \cos\omega t, \quad
+    /// \omega = \sqrt{\omega_0^2 - \gamma^2}$".
+    fn with_its_parameter(&self, goal: &Goal, premises: &[usize]) -> Option<(Solution, Goal)> {
+        let (Expr::Symbol(parameter), value) = goal.formula.as_equation()? else {
+            return None;
+        };
+        if value.mentions(parameter) {
+            return None;
+        }
+        let beside = Assumed {
+            standing: Standing::Identity,
+            ..taken(&goal.formula)
+        };
+        let display = self.derivation.display_start(self.at)..self.at + 1;
+        let equations = display.map(|at| &self.derivation.equations[at]);
+        let statements = equations.flat_map(|own| own.statements());
+        let mut solutions = statements.filter_map(first_goal);
+        solutions.find_map(|own| {
+            let (left, right) = own.formula.as_equation()?;
+            if !right.mentions(parameter) || left.mentions(parameter) {
+                return None;
+            }
+            let solution = self.said_to_solve(&own, premises, Some(&beside))?;
+            let is_fixed = solution.fixed.contains(parameter);
+            is_fixed.then_some((solution, own))
+        })
+    }
+
+    /// Whether a step says of a quantity what it is at all times, as a wave: `x = A e^{-\gamma t} \cos(\omega t + \varphi)` needs no words to be a
+    /// solution.
+    fn moves_in_time(&self, left: &Expr, right: &Expr) -> bool {
+        let Some(variable) = self.variable_between(left, right) else {
+            return false;
+        };
+        let mut waves = Vec::new();
+        collect_waves(right, &mut waves);
+        waves.iter().any(|wave| wave.mentions(&variable))
+    }
+
+    /// Whether symbols before a step say in which case it is, `\gamma < \omega_0`: a law is the same in each.
+    fn names_its_case(&self) -> bool {
+        let said = self.derivation.written_since(self.at);
+        said.iter().any(Formula::is_inequality)
+    }
+
+    /// Whether words say that a solution is one of something simpler than the law, or near one. "If the damping is weak ($\gamma < \omega_0$)" says
+    /// of which case it is.
+    fn is_of_another_law(&self) -> bool {
+        let such = |own: &&str| !OF_A_CASE.contains(own) || !self.names_its_case();
+        let words = self.derivation.leading_words(self.at);
+        let mut words = words.iter().map(|own| &**own);
+        words.any(|word| OF_ANOTHER_LAW.contains(&word) && such(&word))
     }
 
     /// What is decided where all but the variable and what depends on it is constant.
@@ -475,11 +540,11 @@ fn meant<'a>(
     let mut found: Vec<Assumed> = Vec::new();
     loop {
         let means = |own: &&Assumed| match own.formula.as_equation() {
-            Some((Expr::Symbol(name), value)) => {
+            Some((name, value)) => raised(name).is_some_and(|name| {
                 let moves = value.mentions(of) || value.mentions(variable);
                 symbols.contains(name) && name != of && !moves && !value.mentions(name)
-            }
-            _ => false,
+            }),
+            None => false,
         };
         let Some(at) = said.iter().position(means) else {
             return found;
@@ -490,13 +555,25 @@ fn meant<'a>(
     }
 }
 
+/// The symbol that something is given of, by itself or as a power: `\omega_0^2 = k/m`.
+fn raised(given: &Expr) -> Option<&Symbol> {
+    match given {
+        Expr::Symbol(name) => Some(name),
+        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => match &**base {
+            Expr::Symbol(name) => Some(name),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
 /// What a law speaks of, and the symbols that some equations give by that: of `\tau = u/g` and `\dot v = g - k v^2` none, as `u` may be chosen.
 fn fixed_by(law: &Formula, given: &[Assumed]) -> Set<Symbol> {
     let mut fixed = law.names();
     loop {
         let before = fixed.len();
         for (name, value) in given.iter().filter_map(|own| own.formula.as_equation()) {
-            if let Expr::Symbol(name) = name
+            if let Some(name) = raised(name)
                 && value.free_symbols().iter().all(|own| fixed.contains(own))
             {
                 fixed.insert(name.clone());
