@@ -5,18 +5,18 @@
 //! is written for, and it is told that it was taken so.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, formulas, says_of};
+use crate::derivation::{Assumed, Goal};
 
 use super::judge::{Judge, taken};
 
-/// With one of these words a text speaks of means.
-const MEANS: [&str; 4] = ["mean", "means", "average", "averages"];
 /// What is written above the name of a sequence for its mean.
 const BARS: [&str; 2] = ["\\bar", "\\overline"];
 
 impl Judge<'_> {
     /// What the means are of which a goal speaks beside the elements of a sequence.
     pub(super) fn averaged(&self, goal: &Goal, assumed: &[Assumed]) -> Vec<Assumed> {
+        let page = self.derivation.equations[self.at].page;
+        let speaks_of_means = self.derivation.pages[page].speaks_of_means;
         let mut found = Vec::new();
         for sequence in goal.formula.sequences() {
             let bars = BARS.map(|bar| Symbol::new(format!("{bar}{{{sequence}}}")));
@@ -25,7 +25,7 @@ impl Judge<'_> {
                 continue;
             };
             let is_said = assumed.iter().any(|own| own.is_of(&mean));
-            if is_said || self.is_said_anywhere(&mean) || !self.speaks_of_means() {
+            if is_said || !speaks_of_means || self.derivation.is_said_what(page, &mean) {
                 continue;
             }
             let mut terms = goal.formula.terms().into_iter();
@@ -34,25 +34,6 @@ impl Judge<'_> {
             }
         }
         found
-    }
-
-    /// Whether an equation of the page, this one and later ones included, says what a symbol is.
-    fn is_said_anywhere(&self, symbol: &Symbol) -> bool {
-        let page = self.derivation.equations[self.at].page;
-        let mut all = self.derivation.equations_of(page);
-        all.any(|at| {
-            let statements = self.derivation.equations[at].statements().iter();
-            statements
-                .flat_map(formulas)
-                .any(|own| says_of(&own, symbol))
-        })
-    }
-
-    fn speaks_of_means(&self) -> bool {
-        let page = self.derivation.equations[self.at].page;
-        let source = &self.derivation.pages[page].document.source;
-        let mut words = source.split(|c: char| !c.is_alphabetic());
-        words.any(|word| MEANS.contains(&word))
     }
 }
 

@@ -176,7 +176,7 @@ fn is_slope_in_place(term: &Expr) -> bool {
 }
 
 /// Whether a formula says of a symbol what it is: `s = …`.
-pub fn says_of(formula: &Formula, symbol: &Symbol) -> bool {
+pub(super) fn says_of(formula: &Formula, symbol: &Symbol) -> bool {
     let sides = formula.as_equation();
     matches!(sides, Some((Expr::Symbol(own), _)) if own == symbol)
 }

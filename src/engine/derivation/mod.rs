@@ -64,9 +64,7 @@ pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
 pub(crate) use complex::parts_of;
-pub use equation::{
-    Equation, Goal, Kind, conditions, first_goal, formulas, goals, says_of, unconditional,
-};
+pub use equation::{Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional};
 pub(crate) use imaginary::is_imaginary_unit;
 pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};

@@ -47,6 +47,8 @@ pub struct Page {
     /// Whether directives, or the file beside the document, say of equations that they are given or what they follow from. Where
     /// none does, the text alone says which are laws, however many symbols are declared.
     pub directs: bool,
+    /// Whether its text speaks of means.
+    pub speaks_of_means: bool,
     /// The quantity that the text says each symbol is, where it says that of some; nothing where it says different ones.
     pub quantities: Tree<Symbol, Option<Quantity>>,
     /// The figures for each symbol that has some.
@@ -122,6 +124,7 @@ pub(super) fn read_page(
         domains: Tree::new(),
         dimensions: Tree::new(),
         directs: false,
+        speaks_of_means: false,
         quantities: Tree::new(),
         data: Tree::new(),
         euler: BTreeSet::new(),
@@ -162,6 +165,7 @@ pub(super) fn read_page(
     page.document.inherited = inherited;
     page.declarations(&items, &mut meanings);
     page.figures(&items, &meanings);
+    page.speaks_of_means = speaks_of_means(&page.document.source);
     page.directs = items.iter().any(directs)
         || page
             .beside
@@ -279,6 +283,13 @@ fn forget_remarks(source: &str, items: &mut [Item]) {
             prose.drop_citations(|own| is_word(own) && remarks.contains(&own.tag));
         }
     }
+}
+
+/// Whether words of a text speak of means: what a bar above the name of a sequence stands for.
+fn speaks_of_means(source: &str) -> bool {
+    const MEANS: [&str; 4] = ["mean", "means", "average", "averages"];
+    let mut words = source.split(|c: char| !c.is_alphabetic());
+    words.any(|word| MEANS.contains(&word))
 }
 
 /// Whether a directive says of an equation that it is given, or what it follows from.

@@ -8,7 +8,12 @@ use crate::notation::{Statement, read_expr};
 use crate::sorted::Set;
 
 use super::Derivation;
-use super::equation::formulas;
+use super::equation::{formulas, says_of};
+
+/// So many equations before are looked at for what a section before says.
+const MOST_BEFORE: usize = 256;
+/// So many equations that speak of a symbol are looked at for what says what it is.
+const MOST_SPEAKING: usize = 64;
 
 impl Derivation {
     /// Whether any equation of a page speaks of a symbol.
@@ -33,11 +38,24 @@ impl Derivation {
         (0..self.equations.len()).find(|&at| self.states(at, formula))
     }
 
-    /// Whether a section before that of an equation says just this: here it would be said of another case, `P = \frac{\pi^2 E I}{L^2}` of a
-    /// strut with other ends.
+    /// Whether a section before that of an equation says just this, not too far back: here it would be said of another case,
+    /// `P = \frac{\pi^2 E I}{L^2}` of a strut with other ends.
     pub fn is_of_section_before(&self, at: usize, formula: &Formula) -> bool {
-        let page = self.equations_of(self.equations[at].page);
-        (page.start..self.section_start(at)).any(|other| self.states(other, formula))
+        let end = self.section_start(at);
+        let start = self.equations_of(self.equations[at].page).start;
+        let near = start.max(end.saturating_sub(MOST_BEFORE))..end;
+        near.into_iter().any(|other| self.states(other, formula))
+    }
+
+    /// Whether an equation of a page says what a symbol is, among the first that speak of it.
+    pub fn is_said_what(&self, page: usize, symbol: &Symbol) -> bool {
+        let speaking = self.mentions[page].get(symbol).into_iter().flatten();
+        let statements = |&at: &usize| self.equations[at].statements().iter();
+        let mut said = speaking
+            .take(MOST_SPEAKING)
+            .flat_map(statements)
+            .flat_map(formulas);
+        said.any(|own| says_of(&own, symbol))
     }
 
     fn states(&self, at: usize, formula: &Formula) -> bool {
