@@ -5,7 +5,8 @@
 //! is written for, and it is told that it was taken so.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal};
+use crate::derivation::{Assumed, Goal, sums_in};
+use crate::notation::Through;
 
 use super::judge::{Judge, taken};
 
@@ -28,45 +29,20 @@ impl Judge<'_> {
             if is_said || !speaks_of_means || self.derivation.is_said_what(page, &mean) {
                 continue;
             }
-            let mut terms = goal.formula.terms().into_iter();
-            if let Some((from, to)) = terms.find_map(|term| range_of(term, &sequence)) {
-                found.push(taken(&mean_of(mean, sequence, from, to)));
+            let mut sums = goal.formula.terms().into_iter().flat_map(sums_in);
+            if let Some(own) = sums.find(|own| own.sequences.contains(&sequence)) {
+                found.push(taken(&mean_of(mean, sequence, own)));
             }
         }
         found
     }
 }
 
-/// From where to where the first sum over the elements of a sequence runs.
-fn range_of<'e>(term: &'e Expr, sequence: &Symbol) -> Option<(&'e Expr, &'e Expr)> {
-    if let Expr::Series {
-        index,
-        from,
-        to,
-        body,
-    } = term
-    {
-        let is_own = |part: &Expr| matches!(part, Expr::Element { sequence: own, index: at } if own == sequence && at == index);
-        if body.any(&is_own) {
-            return Some((from, to));
-        }
-    }
-    (term.children()).find_map(|part| range_of(part, sequence))
-}
-
-fn mean_of(mean: Symbol, sequence: Symbol, from: &Expr, to: &Expr) -> Formula {
-    let index = Symbol::new("i");
-    let body = Expr::Element {
-        sequence,
-        index: index.clone(),
-    };
-    let sum = Expr::Series {
-        index,
-        from: from.clone().into(),
-        to: to.clone().into(),
-        body: body.into(),
-    };
-    let count = match *from == Expr::integer(1) {
+fn mean_of(mean: Symbol, sequence: Symbol, through: Through) -> Formula {
+    let Through {
+        index, from, to, ..
+    } = through;
+    let count = match from == Expr::integer(1) {
         true => to.clone(),
         false => Expr::Sum(
             [
@@ -76,6 +52,16 @@ fn mean_of(mean: Symbol, sequence: Symbol, from: &Expr, to: &Expr) -> Formula {
             ]
             .into(),
         ),
+    };
+    let body = Expr::Element {
+        sequence,
+        index: index.clone(),
+    };
+    let sum = Expr::Series {
+        index,
+        from: from.into(),
+        to: to.into(),
+        body: body.into(),
     };
     Formula::equal(Expr::Symbol(mean), Expr::Quotient(sum.into(), count.into()))
 }

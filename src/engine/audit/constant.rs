@@ -78,7 +78,7 @@ impl Judge<'_> {
         };
         let cited = self.usable.assumed.iter().map(|own| &*own.formula);
         let is_law = Formula::differentiated_in(cited).contains(given);
-        if !is_law || goal.questioned || !goal.suppositions.is_empty() {
+        if !is_law || !goal.is_said_outright() {
             return None;
         }
         // Nothing speaks of it but what says the value of something at a place.
@@ -347,15 +347,9 @@ impl Judge<'_> {
     /// What the page differentiates by, where a quantity that it differentiates is one of some.
     fn differentiated_by(&self, is_meant: impl Fn(&Symbol) -> bool) -> Set<Symbol> {
         let page = self.derivation.equations[self.at].page;
-        let mut found = Set::new();
-        for at in self.derivation.equations_of(page) {
-            for (left, _, right) in self.derivation.equations[at].relations() {
-                for term in [&left, &right] {
-                    collect_variables(term, &is_meant, &mut found);
-                }
-            }
-        }
-        found
+        let slopes = self.auditor.slopes_of(page).iter();
+        let meant = slopes.filter(|(of, _)| is_meant(of));
+        meant.map(|(_, by)| by.clone()).collect()
     }
 }
 
@@ -383,16 +377,4 @@ fn isolated(
         _ => Expr::Quotient(left.into(), Expr::Product(others).into()),
     };
     Some((constant.clone(), what))
-}
-
-fn collect_variables(term: &Expr, is_meant: &impl Fn(&Symbol) -> bool, found: &mut Set<Symbol>) {
-    if let Expr::Derivative { body, variable } = term
-        && Formula::names_in([&**body].into_iter())
-            .iter()
-            .any(is_meant)
-    {
-        found.insert(variable.clone());
-    }
-    let children = term.children();
-    children.for_each(|child| collect_variables(child, is_meant, found));
 }

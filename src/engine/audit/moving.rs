@@ -1,5 +1,7 @@
 //! What a page says of what changes with what: something of which it says so is not taken as constant, cited or not.
 
+use std::cell::LazyCell;
+
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Derivation, Equation, Goal, Source, dotted, formulas};
 use crate::kernel::{Standing, definition};
@@ -40,14 +42,13 @@ fn collect_limits(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
         .for_each(|child| collect_limits(child, found));
 }
 
-/// What is differentiated, with what by.
-fn collect_slopes(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
-    if let Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } = term {
-        let named = body.free_symbols().into_iter();
+/// Adds what total derivatives in a term differentiate, with what by.
+fn collect_total_slopes(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
+    if let Expr::Derivative { body, variable } = term {
+        let named = Formula::names_in([&**body].into_iter()).into_iter();
         found.extend(named.map(|own| (own, variable.clone())));
     }
-    term.children()
-        .for_each(|child| collect_slopes(child, found));
+    (term.children()).for_each(|child| collect_total_slopes(child, found));
 }
 
 fn at_place(part: &Expr) -> bool {
@@ -60,6 +61,8 @@ pub(super) struct Moving {
     differentiated: Set<Symbol>,
     /// The same with what by.
     slopes: Set<(Symbol, Symbol)>,
+    /// What all relations of the page differentiate in total, with what by.
+    total_slopes: Set<(Symbol, Symbol)>,
     /// What words say to change.
     told: Set<Symbol>,
     /// What equations differentiate by, each with the position of the first that does.
@@ -91,6 +94,11 @@ impl Moving {
         };
         for at in derivation.equations_of(page) {
             let equation = &derivation.equations[at];
+            for (left, _, right) in equation.relations() {
+                for term in [&left, &right] {
+                    collect_total_slopes(term, &mut found.total_slopes);
+                }
+            }
             if !at_moment(equation) {
                 // What is so where a slope vanishes ties nothing to what moves either.
                 let said = equation.statements().iter().flat_map(formulas);
@@ -123,16 +131,6 @@ impl Moving {
         self.differentiated.contains(symbol) || self.told.contains(symbol)
     }
 
-    /// The same, where that may have to do with a variable: the level `h(t)` of a tank has not with the distance `r` from the axis of its drain.
-    fn moves_with(&self, symbol: &Symbol, variable: &Symbol) -> bool {
-        let is_tied = || {
-            self.moves(variable)
-                || self.explicit.iter().any(|own| own.0 == *variable)
-                || self.slopes.contains(&(symbol.clone(), variable.clone()))
-        };
-        self.told.contains(symbol) || self.differentiated.contains(symbol) && is_tied()
-    }
-
     /// Whether nothing but words says that a symbol changes.
     fn is_told_alone(&self, symbol: &Symbol) -> bool {
         self.told.contains(symbol) && !self.differentiated.contains(symbol)
@@ -149,7 +147,7 @@ impl Moving {
         for term in formula.terms() {
             term.collect_differentiated(&mut self.differentiated);
             collect_limits(term, &mut self.limits);
-            collect_slopes(term, &mut self.slopes);
+            term.collect_slopes(&mut self.slopes);
         }
         let Some((left, right)) = formula.as_equation() else {
             return;
@@ -196,9 +194,18 @@ impl Moving {
             own == name || is_sequence && stem == Some(name.name())
         };
         let velocity = dotted(name, false);
+        // The level `h(t)` of a tank has nothing to do with the distance `r` from the axis of its drain.
+        let may_be_tied = LazyCell::new(|| {
+            self.moves(variable) || self.explicit.iter().any(|own| own.0 == *variable)
+        });
+        let moves_with = |other: &Symbol| {
+            let is_slope = || self.slopes.contains(&(other.clone(), variable.clone()));
+            self.told.contains(other)
+                || self.differentiated.contains(other) && (*may_be_tied || is_slope())
+        };
         let changes = |named: &Set<Symbol>| {
             let mut all = named.iter();
-            all.any(|other| other == variable || self.moves_with(other, variable))
+            all.any(|other| other == variable || moves_with(other))
         };
         let mut explicit = self.explicit.iter();
         let mut moving = self.differentiated.iter().chain(&self.told);
@@ -397,6 +404,11 @@ impl Auditor<'_> {
     fn moving(&self, page: usize) -> &Moving {
         let of_page = || Moving::of(self.derivation, page);
         self.shared.moving[page].get_or_init(of_page)
+    }
+
+    /// What the relations of a page differentiate in total, each with what by.
+    pub(super) fn slopes_of(&self, page: usize) -> &Set<(Symbol, Symbol)> {
+        &self.moving(page).total_slopes
     }
 
     /// By what an equation and those before it on its page differentiate.

@@ -140,7 +140,7 @@ impl Judge<'_> {
             Outcome::ScalesNot(..) => equation.bare && silent,
             outcome => matches!(outcome, Outcome::Refuted(_) | Outcome::Open(_)),
         };
-        if !is_open || goal.questioned || !goal.suppositions.is_empty() {
+        if !is_open || !goal.is_said_outright() {
             return None;
         }
         // Of an identity both sides speak of the same.

@@ -229,7 +229,7 @@ impl Auditor<'_> {
         match there.or_else(|| how.defines.then(solved).flatten()) {
             Some(There::Solved(found)) => Some(*found),
             Some(There::Refuted(found)) => {
-                links.contradicted = found.judged.outcome.is_refuted();
+                links.contradicted = true;
                 Some(*found)
             }
             Some(There::Shown) if names_a_symbol(&goal.formula) => {

@@ -156,6 +156,11 @@ impl Goal {
     pub fn is_of(&self, symbol: &Symbol) -> bool {
         says_of(&self.formula, symbol)
     }
+
+    /// Whether its author asserts it, and supposes nothing for it.
+    pub fn is_said_outright(&self) -> bool {
+        !self.questioned && self.suppositions.is_empty()
+    }
 }
 
 /// Whether a term is a slope by something else than time.

@@ -72,6 +72,7 @@ pub use page::{Beyond, Datum, Page, Premises};
 pub use qualities::Said;
 pub use running::Running;
 pub(crate) use slopes::TIME;
+pub use sums::sums_in;
 pub use supposed::{Local, is_put};
 pub use values::{ConditionSaid, Printed, ValueSaid};
 

@@ -1,6 +1,7 @@
 //! Which equations before one speak of the same symbols.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::Inline;
@@ -35,7 +36,9 @@ impl Derivation {
 
     /// The first equation that says just this.
     pub fn stating(&self, formula: &Formula) -> Option<usize> {
-        (0..self.equations.len()).find(|&at| self.states(at, formula))
+        let pages = 0..self.pages.len();
+        let mut stating = pages.map(|page| self.stating_among(&self.equations_of(page), formula));
+        stating.find_map(|stating| stating)
     }
 
     /// Whether a section before that of an equation says just this, not too far back: here it would be said of another case,
@@ -44,7 +47,19 @@ impl Derivation {
         let end = self.section_start(at);
         let start = self.equations_of(self.equations[at].page).start;
         let near = start.max(end.saturating_sub(MOST_BEFORE))..end;
-        near.into_iter().any(|other| self.states(other, formula))
+        self.stating_among(&near, formula).is_some()
+    }
+
+    /// The first among some equations of a page that says just this: of those that speak of what the fewest do.
+    fn stating_among(&self, among: &Range<usize>, formula: &Formula) -> Option<usize> {
+        let page = self.equations.get(among.start)?.page;
+        let names = formula.names().into_iter();
+        let speaking =
+            names.map(|own| self.mentions[page].get(&own).map_or(&[][..], Vec::as_slice));
+        let speaking = speaking.min_by_key(|own| own.len())?.iter().copied();
+        let says = |own: &Statement| formulas(own).contains(formula);
+        let mut near = speaking.filter(|at| among.contains(at));
+        near.find(|&at| self.equations[at].statements().iter().any(says))
     }
 
     /// Whether an equation of a page says what a symbol is, among the first that speak of it.
@@ -56,11 +71,6 @@ impl Derivation {
             .flat_map(statements)
             .flat_map(formulas);
         said.any(|own| says_of(&own, symbol))
-    }
-
-    fn states(&self, at: usize, formula: &Formula) -> bool {
-        let says = |own: &Statement| formulas(own).contains(formula);
-        self.equations[at].statements().iter().any(says)
     }
 
     /// Whether the text between a display and the one before it names a symbol, and nothing is understood that it says of it: "for a loan of

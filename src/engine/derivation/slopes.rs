@@ -45,10 +45,8 @@ struct Given {
     own: Set<Symbol>,
     /// What is differentiated somewhere.
     differentiated: Set<Symbol>,
-    /// What is differentiated by the time.
-    rates: Set<Symbol>,
-    /// By what something is differentiated, if by one thing alone.
-    slopes: Map<Symbol, Option<Symbol>>,
+    /// The same by name, with what by.
+    slopes: Set<(Symbol, Symbol)>,
 }
 
 /// Reads dots over what is given by a term in `t` as derivatives by it, and primes on functions, unless they are declared.
@@ -71,7 +69,7 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
             given.own.insert(name.clone());
         }
     }
-    given.tie_together();
+    given.tie_together(&time);
     given.heed_slopes();
     if given.marked.iter().any(|own| own.name().ends_with("''")) {
         let in_text = names::arguments_in_text(&page.document.source, page.document.inline());
@@ -127,56 +125,37 @@ impl Given {
         for term in formula.terms() {
             self.collect_marked(term);
             term.collect_differentiated(&mut self.differentiated);
-            self.collect_rates(term, time);
             self.collect_slopes(term);
         }
     }
 
-    /// The place `L` in `w(L) = \frac{F L^3}{3 E I}` is no variable of a `w` of which `\frac{dw}{dx}` is written.
-    fn heed_slopes(&mut self) {
-        for (name, by) in std::mem::take(&mut self.slopes) {
-            if let (Some(argument), Some(_)) = (self.functions.get_mut(&name), &by) {
-                *argument = by;
-            }
-        }
-    }
-
-    /// By what names are differentiated, where that is one thing.
+    /// Adds the names of which `\frac{dx}{dt}` is written, with what they are differentiated by.
     fn collect_slopes(&mut self, term: &Expr) {
-        if let Expr::Derivative { body, variable } = term {
-            let mut inner = &**body;
-            while let Expr::Derivative { body, .. } = inner {
-                inner = body;
-            }
-            if let Expr::Symbol(name) | Expr::Apply(name, _) = inner {
-                let known = self.slopes.entry(name.clone());
-                let known = known.or_insert_with(|| Some(variable.clone()));
-                if known.as_ref() != Some(variable) {
-                    *known = None;
-                }
-            }
+        if let Expr::Derivative { body, variable } = term
+            && let Expr::Symbol(name) | Expr::Apply(name, _) = &**body
+        {
+            self.slopes.insert((name.clone(), variable.clone()));
         }
         (term.children()).for_each(|part| self.collect_slopes(part));
     }
 
-    /// The names of which `\frac{dx}{dt}` is written.
-    fn collect_rates(&mut self, term: &Expr, time: &Symbol) {
-        if let Expr::Derivative { body, variable } = term
-            && variable == time
-            && let Expr::Symbol(name) | Expr::Apply(name, _) = &**body
-        {
-            self.rates.insert(name.clone());
+    /// The place `L` in `w(L) = \frac{F L^3}{3 E I}` is no variable of a `w` of which `\frac{dw}{dx}` is written, and no other slope.
+    fn heed_slopes(&mut self) {
+        for (name, argument) in &mut self.functions {
+            let mut by = self.slopes.iter().filter(|own| own.0 == *name);
+            if let (Some((_, by)), None) = (by.next(), by.next()) {
+                *argument = Some(by.clone());
+            }
         }
-        (term.children()).for_each(|part| self.collect_rates(part, time));
     }
 
     /// Where a page speaks of accelerations, what has dots and is given by others that have some moves as they do: after `s = x_1 + x_2`
     /// `\ddot s` is `\ddot x_1 + \ddot x_2`. A flow, `\dot Q = \dot m q`, need not be the slope of what has its letter.
-    fn tie_together(&mut self) {
+    fn tie_together(&mut self, time: &Symbol) {
         let dots = |name: &Symbol| without_dots(name).filter(|own| own.1 <= 2);
         let dotted: Vec<(Symbol, u8)> = self.marked.iter().filter_map(dots).collect();
         let moves: Set<Symbol> = dotted.iter().map(|own| own.0.clone()).collect();
-        self.tie_to_rates(&moves);
+        self.tie_to_rates(&moves, time);
         if dotted.iter().all(|own| own.1 < 2) {
             return;
         }
@@ -198,8 +177,9 @@ impl Given {
     }
 
     /// Where a page writes both `\frac{dx}{dt}` and `\dot x` of something, its dots are slopes by the time.
-    fn tie_to_rates(&mut self, dotted: &Set<Symbol>) {
-        if dotted.iter().any(|own| self.rates.contains(own)) {
+    fn tie_to_rates(&mut self, dotted: &Set<Symbol>, time: &Symbol) {
+        let is_rate = |own: &Symbol| self.slopes.contains(&(own.clone(), time.clone()));
+        if dotted.iter().any(is_rate) {
             let tied = dotted.iter().filter(|own| !self.varied.contains(*own));
             self.moving.extend(tied.cloned());
         }

@@ -33,6 +33,13 @@ pub(super) fn run_through(equations: &[Equation]) -> Option<Through> {
     Some(all)
 }
 
+/// What the sums in a term run through that add up elements of sequences, the outer ones first.
+pub fn sums_in(term: &Expr) -> Vec<Through> {
+    let mut found = Vec::new();
+    collect(term, &mut found);
+    found
+}
+
 fn collect(term: &Expr, found: &mut Vec<Through>) {
     if let Expr::Series {
         index,

@@ -318,7 +318,7 @@ pub(super) fn figure(statement: &Statement) -> Option<Goal> {
                 ..
             }
         );
-        near && goal.suppositions.is_empty() && !goal.questioned && goal.clause == 0
+        near && goal.is_said_outright() && goal.clause == 0
     };
     let (first, last) = (goals.first()?, goals.last()?);
     let Formula::Relation { left, .. } = &first.formula else {

@@ -220,6 +220,16 @@ impl Expr {
             .for_each(|child| child.collect_differentiated(found));
     }
 
+    /// Adds the symbols that stand below a derivative in it, by themselves or in a product, `\frac{d}{dt}(b e^{k t})`, each with what it is
+    /// differentiated by.
+    pub fn collect_slopes(&self, found: &mut Set<(Symbol, Symbol)>) {
+        if let Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } = self {
+            let named = body.free_symbols().into_iter();
+            found.extend(named.map(|own| (own, variable.clone())));
+        }
+        (self.children()).for_each(|child| child.collect_slopes(found));
+    }
+
     /// Its derivative by a variable, to be worked out.
     pub fn differentiated_by(self, variable: &Symbol) -> Expr {
         Expr::Derivative {

@@ -22,11 +22,16 @@ const COMPARING: [&str; 7] = [
 const MOST_SAME: usize = 3;
 
 impl Judge<'_> {
+    /// Whether words say that terms are compared.
+    pub(super) fn compares(&self) -> bool {
+        self.says(&COMPARING)
+    }
+
     /// What is compared as words say, for every value of a variable that the step leaves out: "From slope $b$ and intercept $a$" of
     /// `\frac{4 \pi^2}{k} (m + M) = a + b m` for every `m`, or two equations with the same left side, `H = \frac{1}{1 + s \tau}` and
     /// `H = \frac{\omega}{\omega + s}`.
     pub(super) fn compared(&self, goal: &Goal, set: &[Assumed]) -> Vec<(Symbol, Vec<Assumed>)> {
-        if !self.says(&COMPARING) {
+        if !self.compares() {
             return Vec::new();
         }
         let laws: Vec<&Assumed> = (set.iter())

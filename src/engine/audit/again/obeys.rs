@@ -36,7 +36,7 @@ const SOLVING: [&str; 17] = [
     "exponentiating",
 ];
 /// With one of these it is the solution of something simpler than what the law says, or near one.
-const OF_ANOTHER_LAW: [&str; 26] = [
+const OF_ANOTHER_LAW: [&str; 22] = [
     "without",
     "absence",
     "neglect",
@@ -45,10 +45,6 @@ const OF_ANOTHER_LAW: [&str; 26] = [
     "ignoring",
     "ignored",
     "vanishing",
-    "small",
-    "large",
-    "weak",
-    "strong",
     "slow",
     "early",
     "late",
@@ -64,7 +60,7 @@ const OF_ANOTHER_LAW: [&str; 26] = [
     "asymptotic",
     "asymptotically",
 ];
-/// Those of them that may only name a case that symbols say.
+/// So it is with one of these, unless symbols say of which case it is.
 const OF_A_CASE: [&str; 4] = ["small", "large", "weak", "strong"];
 /// With one of these it is said to be the one that meets the conditions that stand just before it.
 const MEETING: [&str; 12] = [
@@ -131,7 +127,19 @@ impl Solution {
         open.zip(NUMBERS).map(set).collect()
     }
 
-    /// The same without the solution.
+    /// The same where only what a solution names is fixed: for some `I` it obeys `I \frac{dw}{dt} = \mu m g R` where it says that
+    /// `w = w_0 + \frac{5 \mu g}{2 R} t`.
+    fn told_by(&self, named: &Set<Symbol>) -> Solution {
+        let is_of_others = |said: &Assumed| {
+            said.source == Source::Taken && said.formula.names().is_disjoint(named)
+        };
+        let mut told = self.clone();
+        told.fixed.retain(|symbol| named.contains(symbol));
+        told.assumed.retain(|said| !is_of_others(said));
+        told
+    }
+
+    /// What is assumed besides the solution.
     fn circumstances(&self) -> &[Assumed] {
         &self.assumed[1..]
     }
@@ -185,12 +193,13 @@ impl Judge<'_> {
                 }
                 Decision::Open(_) => return self.ends_otherwise(goal, &own),
             };
-            // For some values of the constants that it brings along it may be one, whatever the law's own are.
-            let brings = !own.constants.iter().all(|symbol| own.is_of_law(symbol));
-            if brings && !self.is_one_for_none(solution, &own, &refuted) {
-                return None;
-            }
-            if !self.is_none_whatever_else(solution, &own, &refuted) {
+            // For some values of the constants that it brings along it may be one, whatever the law's own are, and for some of those on which
+            // it is silent.
+            let named = solution.formula.names();
+            let is_told = |symbol: &Symbol| own.is_of_law(symbol) && named.contains(symbol);
+            if !own.constants.iter().all(is_told)
+                && !self.is_one_for_none(solution, &own.told_by(&named), &refuted)
+            {
                 return None;
             }
             let mut found = refuted_of(goal, &own.law.formula, &own.assumed, refuted);
@@ -207,7 +216,7 @@ impl Judge<'_> {
         beside: Option<&Assumed>,
     ) -> Option<Solution> {
         let (left, right) = goal.formula.as_equation()?;
-        if goal.questioned || !goal.suppositions.is_empty() {
+        if !goal.is_said_outright() {
             return None;
         }
         let (left, right) = for_the_quantity(left, right);
@@ -218,8 +227,7 @@ impl Judge<'_> {
             said.any(|said| said.just_said && said.of == left)
         };
         let own = &self.derivation.equations[self.at];
-        let is_plain = matches!(left, Expr::Symbol(_)) && self.moves_in_time(&left, &right);
-        if !own.drawn && !self.says(&SOLVING) && !says_where() && !is_plain {
+        if !own.drawn && !self.says(&SOLVING) && !says_where() && !self.is_wave(&left, &right) {
             return None;
         }
         // "Without friction the solution is" is of another law.
@@ -332,13 +340,15 @@ impl Judge<'_> {
 
     /// Whether a step says of a quantity what it is at all times, as a wave: `x = A e^{-\gamma t} \cos(\omega t + \varphi)` needs no words to be a
     /// solution.
-    fn moves_in_time(&self, left: &Expr, right: &Expr) -> bool {
-        let Some(variable) = self.variable_between(left, right) else {
-            return false;
-        };
+    fn is_wave(&self, left: &Expr, right: &Expr) -> bool {
         let mut waves = Vec::new();
         collect_waves(right, &mut waves);
-        waves.iter().any(|wave| wave.mentions(&variable))
+        // To look for the variable is to look through the page.
+        if waves.is_empty() || !matches!(left, Expr::Symbol(_)) {
+            return false;
+        }
+        let variable = self.variable_between(left, right);
+        variable.is_some_and(|variable| waves.iter().any(|wave| wave.mentions(&variable)))
     }
 
     /// Whether symbols before a step say in which case it is, `\gamma < \omega_0`: a law is the same in each.
@@ -350,10 +360,7 @@ impl Judge<'_> {
     /// Whether words say that a solution is one of something simpler than the law, or near one. "If the damping is weak ($\gamma < \omega_0$)" says
     /// of which case it is.
     fn is_of_another_law(&self) -> bool {
-        let such = |own: &&str| !OF_A_CASE.contains(own) || !self.names_its_case();
-        let words = self.derivation.leading_words(self.at);
-        let mut words = words.iter().map(|own| &**own);
-        words.any(|word| OF_ANOTHER_LAW.contains(&word) && such(&word))
+        self.says(&OF_ANOTHER_LAW) || self.says(&OF_A_CASE) && !self.names_its_case()
     }
 
     /// What is decided where all but the variable and what depends on it is constant.
@@ -418,22 +425,6 @@ impl Judge<'_> {
         })
     }
 
-    /// Whether a solution obeys its law for no values of the constants either on which it is silent: for some `I` it does where
-    /// `w = w_0 + \frac{5 \mu g}{2 R} t` comes after `I \frac{dw}{dt} = \mu m g R`.
-    fn is_none_whatever_else(&self, goal: &Goal, own: &Solution, point: &Refuted) -> bool {
-        let named = goal.formula.names();
-        if own.constants.is_subset(&named) {
-            return true;
-        }
-        let is_of_silent = |said: &Assumed| {
-            said.source == Source::Taken && said.formula.names().is_disjoint(&named)
-        };
-        let mut freed = own.clone();
-        freed.fixed.retain(|symbol| named.contains(symbol));
-        freed.assumed.retain(|said| !is_of_silent(said));
-        self.is_one_for_none(goal, &freed, point)
-    }
-
     /// Whether a solution obeys its law for no values of the constants that it brings along, where those of the law are as a point says.
     fn is_one_for_none(&self, goal: &Goal, own: &Solution, point: &Refuted) -> bool {
         let set = point.witness().symbols.iter();
@@ -491,20 +482,14 @@ fn is_damped_wave(term: &Expr, variable: &Symbol, fixed: &Set<Symbol>) -> bool {
     has(&[Exp]) && has(&[Sin, Cos]) && !brings_rates
 }
 
-/// What stands below a derivative, by itself or in a product, `\frac{d}{dt}(b e^{k t})`, and is not what is differentiated by.
+/// What stands below a derivative and is not what is differentiated by.
 fn standing_in_slopes<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Symbol> {
-    fn collect(term: &Expr, found: &mut Set<Symbol>) {
-        if let Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } = term {
-            let own = body.free_symbols().into_iter();
-            found.extend(own.filter(|own| own != variable));
-        }
-        term.children().for_each(|child| collect(child, found));
-    }
-    let mut found = Set::new();
+    let mut slopes = Set::new();
     for term in formulas.flat_map(Formula::terms) {
-        collect(term, &mut found);
+        term.collect_slopes(&mut slopes);
     }
-    found
+    let others = slopes.into_iter().filter(|(own, by)| own != by);
+    others.map(|(own, _)| own).collect()
 }
 
 /// How often what a formula speaks of is differentiated at most: a law of the first order has no solution that speaks of a slope.

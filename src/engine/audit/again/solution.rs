@@ -31,7 +31,7 @@ impl Judge<'_> {
         premises: &[usize],
         found: &Found,
     ) -> Option<Found> {
-        if goal.questioned || !goal.suppositions.is_empty() {
+        if !goal.is_said_outright() {
             return None;
         }
         let said = self.derivation.conditions_said(self.at);

@@ -132,7 +132,7 @@ impl Judge<'_> {
         // "With the trial solution $x = A \cos\omega t$, (1) becomes"
         let told = self.derivation.told_just_before(self.at).into_iter();
         let set: Vec<Assumed> = self.usable.assumed.iter().cloned().chain(told).collect();
-        if goal.questioned || !goal.suppositions.is_empty() || goal.formula.speaks_of_slopes() {
+        if !goal.is_said_outright() || goal.formula.speaks_of_slopes() {
             return None;
         }
         let told = Formula::names_in(set.iter().flat_map(|own| own.formula.terms()));
@@ -152,7 +152,7 @@ impl Judge<'_> {
         goal: &Goal,
         premises: &[usize],
     ) -> Option<Found> {
-        if goal.questioned || !goal.suppositions.is_empty() || goal.formula.speaks_of_slopes() {
+        if !self.compares() || !goal.is_said_outright() || goal.formula.speaks_of_slopes() {
             return None;
         }
         let cited = &self.usable.assumed;

@@ -6,7 +6,7 @@
 use crate::algebra::{Expr, Formula};
 use crate::derivation::{Assumed, Goal, Source};
 use crate::document::Span;
-use crate::notation::{are_of_one_system, has_units, read_expr};
+use crate::notation::{are_of_one_system, has_units, in_si, read_expr};
 use crate::search::{Decision, Effort};
 
 use super::super::judge::{Found, Judge};
@@ -68,9 +68,7 @@ impl Judge<'_> {
     /// What the text says that a symbol is, in units that leave the number as it is written.
     fn without_units(&self, figure: &Assumed) -> Option<Assumed> {
         let (_, value) = figure.formula.as_equation()?;
-        let one = Expr::integer(1);
-        let units = value.free_symbols().into_iter();
-        let bare = units.fold(value.clone(), |value, unit| value.substitute(&unit, &one));
+        let bare = in_si(value);
         self.as_written(figure, |written| is_same(&bare, written))
     }
 

@@ -1,5 +1,7 @@
 //! What makes a verdict doubtful: complex numbers and small changes, partial derivatives that hold nobody knows what fixed, what is constant here and changes there.
 
+use std::cell::LazyCell;
+
 use crate::algebra::{Expr, Symbol};
 use crate::derivation::{Assumed, Beyond, Goal, Source};
 use crate::kernel::Standing;
@@ -81,7 +83,10 @@ impl Judge<'_> {
         let Outcome::Refuted(refuted) = &judged.outcome else {
             return None;
         };
-        let said = (self.derivation).claim(self.at, &judged.assumed, &judged.goal.formula);
+        // Few goals have a limit or an integral.
+        let said = LazyCell::new(|| {
+            (self.derivation).claim(self.at, &judged.assumed, &judged.goal.formula)
+        });
         let is_held = |own: &Symbol| refuted.claim().is_constant(own) && !said.is_constant(own);
         let moves = |part: &Expr| {
             let (Expr::Limit { body, variable, .. } | Expr::Integral { body, variable, .. }) = part

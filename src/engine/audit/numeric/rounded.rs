@@ -346,12 +346,12 @@ fn says_again(numeric: &Numeric) -> bool {
 
 /// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.
 pub(super) fn is_weighed(goal: &Goal) -> bool {
-    goal.rounding.is_some() && goal.suppositions.is_empty() && !goal.questioned
+    goal.rounding.is_some() && goal.is_said_outright()
 }
 
 /// Whether a goal says how great something is: it ends in a rounded number, or in figures from which that is worked out.
 fn says_how_great(goal: &Goal) -> bool {
-    let asserts = goal.suppositions.is_empty() && !goal.questioned;
+    let asserts = goal.is_said_outright();
     is_weighed(goal) || asserts && is_measured(goal)
 }
 

@@ -225,7 +225,7 @@ impl Checker {
                 if !(equation.defines.contains(&part) && position == 0) {
                     claims.push(derivation.claim(at, &assumed, &goal.formula));
                 }
-                if goal.suppositions.is_empty() && !goal.questioned {
+                if goal.is_said_outright() {
                     shown.push(step(&goal.formula));
                 }
             }
