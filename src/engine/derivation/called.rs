@@ -28,6 +28,8 @@ const VECTORS: [&str; 10] = [
 ];
 /// Between names that are called the same.
 const JOINING: [&str; 5] = ["and", "or", ",", ", and", ", or"];
+/// Functions that nothing is multiplied by, whatever else they are called beside: "With $\Phi$ the standard normal distribution function".
+const APPLIED: [&str; 5] = ["distribution", "error", "gamma", "step", "characteristic"];
 /// After names these say what they are.
 const LINKING: [&str; 7] = ["is", "are", "be", "being", "denotes", "denote", "as"];
 /// Such are functions, and no quantities: "$v$ is a known function of $t$" says what `v` depends on.
@@ -82,7 +84,7 @@ impl Called {
             let those = spoken.next() == Some("those") && !self.vectors.is_empty();
             match () {
                 () if own(&OPERATORS) => self.operators.extend(symbols()),
-                () if own(&FUNCTIONS) => self.functions.extend(symbols()),
+                () if own(&FUNCTIONS) || beside(after) => self.functions.extend(symbols()),
                 () if own(&VECTORS) || those => self.vectors.extend(symbols()),
                 () => {}
             }
@@ -116,6 +118,14 @@ fn are(after: &str, words: &[&str]) -> bool {
         any |= ANY.contains(&word);
     }
     false
+}
+
+/// Whether what stands after names begins with words beside them that say that they are functions which are only applied.
+fn beside(after: &str) -> bool {
+    let clause = after.split([',', '.', ';', ':', '(']).next().unwrap_or("");
+    let spoken: Vec<&str> = clause.split_whitespace().take(MOST_BETWEEN + 1).collect();
+    let is_such = |pair: &[&str]| APPLIED.contains(&pair[0]) && FUNCTIONS.contains(&pair[1]);
+    spoken.first() == Some(&"the") && spoken.windows(2).any(is_such)
 }
 
 /// Refuses the equations in which an operator is multiplied by what it acts on.

@@ -46,6 +46,10 @@ const AFTER_NOUNS: [&str; 14] = [
     "between",
     "then",
 ];
+/// What is said of the unit itself.
+const IMAGINARY: [&str; 3] = ["imaginary", "square root", "unit"];
+/// Between a letter and what it is said to be.
+const LINKING: [&str; 4] = ["is", "be", "denotes", "being"];
 /// Words that stand before the unit, and before no name of a quantity.
 const BEFORE_UNITS: [&str; 13] = [
     "factor",
@@ -134,7 +138,7 @@ fn is_compound(words: &[&str], at: usize) -> bool {
         && (after.starts_with(char::is_uppercase) || AFTER_NOUNS.contains(&after))
 }
 
-/// Whether the text calls something by a letter, "the current $i$", "lines for different $i$", where it says nothing of an imaginary unit.
+/// Whether the text calls something by a letter, "the current $i$", "where $i$ is the concentration", "lines for different $i$", where it says nothing of an imaginary unit.
 fn is_called_something(own: &[usize], pages: &[Page], letter: &str) -> bool {
     let own = own.iter().map(|&at| &pages[at].document);
     let mut texts = own.flat_map(|document| document.prose().map(move |prose| (document, prose)));
@@ -152,10 +156,14 @@ fn is_called_something(own: &[usize], pages: &[Page], letter: &str) -> bool {
                     && word.chars().all(char::is_alphabetic)
                     && !BEFORE_UNITS.contains(&word)
             });
-            is_named
+            // "where $i$ is the concentration of the inhibitor"
+            let mut follows = rest.split_whitespace();
+            let is_said = follows.next().is_some_and(|own| LINKING.contains(&own))
+                && follows.next().is_some_and(|own| own == "the");
+            (is_named || is_said)
                 && ![sentence, rest]
                     .iter()
-                    .any(|text| text.contains("imaginary"))
+                    .any(|text| IMAGINARY.iter().any(|own| text.contains(own)))
         })
     })
 }

@@ -36,6 +36,7 @@ mod partials;
 mod pi;
 mod qualities;
 mod quantities;
+mod raised;
 mod reader;
 mod relatives;
 mod rows;
@@ -138,6 +139,7 @@ impl Derivation {
             let (mut own, beside) = open(item);
             own.beside = beside.as_ref().map(|beside| Arc::clone(&beside.file));
             let (mut page, mut equations) = page::read_page(own, beside, at);
+            raised::read_cases(&mut page, &mut equations);
             slopes::read_marks(&mut page, &mut equations);
             arguments::leave_out(&mut page, &mut equations);
             partials::tell_what_is_held(&mut page, &mut equations);

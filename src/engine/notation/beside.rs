@@ -47,7 +47,7 @@ pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
     if !is_counted(&side.expr) {
         return;
     }
-    let by = match factor_after(source, body.end) {
+    let by = match factor_after(source, body.end).or_else(|| factor_of_pair(source, body.end)) {
         Some(Factor::Unit(number)) if !number.is_one() => number,
         Some(Factor::Degrees) => {
             side.expr = figures::degrees(side.expr.clone());
@@ -125,6 +125,29 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
         return None;
     }
     unit_or_per_unit(spaced).map(|own| Factor::Unit(own.number))
+}
+
+/// What two decimals are said to be per that stand side by side: "$\beta = 0.50$ and $\gamma = 0.20$ per day".
+fn factor_of_pair(source: &str, end: usize) -> Option<Factor> {
+    let decimal = |text: &str| {
+        let (_, value) = text.split_once('=')?;
+        let value = value.trim().trim_start_matches('-');
+        let (whole, part) = value.split_once('.')?;
+        let digits = |own: &str| !own.is_empty() && own.bytes().all(|c| c.is_ascii_digit());
+        (digits(whole) && digits(part)).then_some(())
+    };
+    let start = source.get(..end)?.rfind('$')?;
+    decimal(source.get(start..end)?)?;
+    let rest = beginning(after_formula(source, end)?).trim_start();
+    let (other, after) = rest
+        .strip_prefix("and")?
+        .trim_start()
+        .strip_prefix('$')?
+        .split_once('$')?;
+    decimal(other)?;
+    let after = after.trim_start();
+    let unit = after.starts_with("per ").then(|| unit_or_per_unit(after))?;
+    unit.map(|own| Factor::Unit(own.number))
 }
 
 /// The unit that a text begins with, `t/a`, or what it is per: `$\lambda = 18$ per hour`.

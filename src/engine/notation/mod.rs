@@ -34,7 +34,7 @@ pub(crate) use figures::{
     has_decimals, has_units, in_si, is_degrees, is_figures, units_beside, without_units,
 };
 pub use lexer::is_constant_word;
-pub(crate) use parser::{angle_of, argument_of};
+pub(crate) use parser::{angle_of, argument_of, with_subscript};
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
     mathml_statement, plain, plain_formula, plain_statement, plain_symbol, relation_latex,

@@ -42,14 +42,24 @@ pub fn within<R>(budget: u64, work: impl FnOnce() -> R) -> R {
 /// Does something with three quarters of what is left, which is taken off: the rest is kept for what comes after.
 pub fn with_most<R>(work: impl FnOnce() -> R) -> R {
     let left = LEFT.get();
-    let share = left - left / 4;
-    let done = || {
-        let result = work();
-        (result, LEFT.get())
-    };
-    let (result, unspent) = within(share, done);
-    LEFT.set(left - share.saturating_sub(unspent));
-    result
+    with_share(left - left / 4, work)
+}
+
+/// Does something with no more than this of what is left, which is taken off.
+pub fn with_at_most<R>(budget: u64, work: impl FnOnce() -> R) -> R {
+    with_share(budget.min(LEFT.get()), work)
+}
+
+/// Does something with a share of what is left; what it leaves of that is added to the rest, also where it ends in a panic.
+fn with_share<R>(share: u64, work: impl FnOnce() -> R) -> R {
+    struct Rest(u64);
+    impl Drop for Rest {
+        fn drop(&mut self) {
+            LEFT.set(LEFT.get().saturating_add(self.0));
+        }
+    }
+    let _rest = Rest(LEFT.replace(share) - share);
+    work()
 }
 
 /// Does something for which there is no more than this, with all the budgets of their own that there are in it.

@@ -4,13 +4,15 @@ use super::combined::combined_hypotheses;
 use super::prove::Prover;
 use super::radical::base_of_power;
 use super::{Effort, assuming, pose, rates};
-use crate::algebra::{Atom, Atoms, Expr, Formula, Monomial, Polynomial, Relation, expr_of};
+use crate::algebra::{Atom, Atoms, Expr, Formula, Monomial, Polynomial, Relation, effort, expr_of};
 use crate::kernel::{
     Candidate, Certificate, Checked, Claim, Fact, Knowledge, Obligation, Origin, Problem, Proof,
     Proven, Reject, Sign,
 };
 use crate::sorted::Set;
 
+/// So much work is done for one attempt, as [`effort`] counts it: hardly a proof takes a tenth of it.
+const MOST_WORK: u64 = 500_000;
 /// How often conditions may show what else must be so.
 const MOST_ROUNDS: usize = 3;
 
@@ -66,11 +68,16 @@ fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
     if effort == Effort::Light && is_beyond_elimination(problem) {
         return Ok(Attempt::Nothing);
     }
-    let found = attempt_with(Prover::new(problem)?, obligation, problem, effort);
+    let attempt = || {
+        let prover = Prover::new(problem)?;
+        Ok::<_, Reject>(attempt_with(prover, obligation, problem, effort))
+    };
+    let found = effort::with_at_most(MOST_WORK, attempt)?;
     if !matches!(found, Attempt::Nothing) || effort == Effort::Light {
         return Ok(found);
     }
-    Ok(rates::attempt(obligation).unwrap_or(Attempt::Nothing))
+    let from_rates = || rates::attempt(obligation).unwrap_or(Attempt::Nothing);
+    Ok(effort::with_at_most(MOST_WORK, from_rates))
 }
 
 /// Whether elimination alone cannot show the goal: it shows no sign, and where no equation is known it leaves one as it is.

@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use num_integer::Integer;
 use smallvec::SmallVec;
 
-use super::tracked::{Pivot, Reduced, Tracked};
+use super::tracked::{Pivot, Reduced, Tracked, next_division};
 use crate::algebra::{Polynomial, TooLarge, Var};
 use crate::kernel::{Fact, Knowledge, Sign};
 use crate::sorted;
@@ -201,9 +201,7 @@ impl Best {
     /// The element with the unknown to be solved for, its sign turned round where that makes the coefficient positive.
     fn pivot(&self, mut element: Tracked) -> Pivot {
         if self.negative {
-            element.polynomial = element.polynomial.negated();
-            let cofactors = element.cofactors.values_mut();
-            cofactors.for_each(|c| *c = c.negated());
+            element = element.negated();
         }
         Pivot {
             var: self.var,
@@ -333,20 +331,9 @@ fn reduce_element(
     basis: &[Tracked],
     steps: &mut usize,
 ) -> Result<(), TooLarge> {
-    'again: loop {
-        for (monomial, coefficient) in element.polynomial.clone().terms().rev() {
-            for other in basis {
-                let Some((lead, own)) = other.polynomial.leading() else {
-                    continue;
-                };
-                if let Some(quotient) = monomial.divided_by(lead) {
-                    *steps = steps.checked_sub(1).ok_or(TooLarge)?;
-                    let quotient = Polynomial::term(quotient, coefficient / own);
-                    *element = element.combine(&Polynomial::one(), other, &quotient)?;
-                    continue 'again;
-                }
-            }
-        }
-        return Ok(());
+    while let Some((quotient, other)) = next_division(&element.polynomial, basis) {
+        *steps = steps.checked_sub(1).ok_or(TooLarge)?;
+        element.subtract(&quotient, other)?;
     }
+    Ok(())
 }

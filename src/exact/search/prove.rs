@@ -7,7 +7,7 @@ use super::elements;
 use super::ideal::Ideal;
 use super::positivity;
 use super::roots::root_of;
-use super::tracked::{Reduced, Tracked, cofactors, expand, listed};
+use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
 use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var};
 use crate::kernel::{BoundedSeries, Cofactors, Fact, Knowledge, Lemma, Problem, Proof, Sign};
 use crate::sorted::Map;
@@ -119,7 +119,7 @@ impl Prover {
             }
             for at in 0..self.ideal.rest.len() {
                 let element = &self.ideal.rest[at];
-                if !of_all && element.cofactors.len() > 1 {
+                if !of_all && element.sources().len() > 1 {
                     continue;
                 }
                 let Some((fact, proof)) = root_of(element, self)? else {
@@ -202,15 +202,16 @@ impl Prover {
                 let mut reduced = self.ideal.reduce(&goal.pow(power).ok()?, false).ok()?;
                 let mut steps = REDUCTIONS;
                 if reduced.normal_form(&basis, &mut steps).is_ok() && reduced.polynomial.is_zero() {
-                    return Some(combination(&reduced, power));
+                    return combination(&reduced, power).ok();
                 }
             }
             // A consequence that cannot vanish, and does: anything follows.
             let impossible = basis
                 .iter()
                 .find(|e| self.knowledge.is_nonzero(&e.polynomial));
-            if let Some(element) = impossible {
-                return from_contradiction(element, goal).ok();
+            if let Some(own) = impossible {
+                let cofactors = own.cofactors().ok()?;
+                return from_contradiction(&own.polynomial, &own.multiplier, &cofactors, goal).ok();
             }
             if let Some(proof) = self.zero_by_dividing(goal) {
                 return Some(proof);
@@ -248,15 +249,12 @@ impl Prover {
     fn zero_by_the_impossible(&self, goal: &Polynomial) -> Option<Proof> {
         let mut certain =
             (self.facts.iter()).filter(|f| matches!(f.sign, Sign::NonZero | Sign::Positive));
-        let element = certain.find_map(|fact| {
+        let (fact, reduced) = certain.find_map(|fact| {
             let reduced = self.ideal.reduce(&fact.polynomial, false).ok()?;
-            reduced.polynomial.is_zero().then(|| Tracked {
-                polynomial: fact.polynomial.clone(),
-                multiplier: reduced.multiplier,
-                cofactors: reduced.cofactors,
-            })
+            reduced.polynomial.is_zero().then_some((fact, reduced))
         })?;
-        from_contradiction(&element, goal).ok()
+        let cofactors = reduced.cofactors().ok()?;
+        from_contradiction(&fact.polynomial, &reduced.multiplier, &cofactors, goal).ok()
     }
 
     /// The same with what cannot vanish kept to the end, so that it can be divided out of what is left: two
@@ -289,7 +287,7 @@ impl Prover {
                 continue;
             }
             // M F = S G + Σ C h
-            let Ok(cofactor) = expand(&reduced.outer) else {
+            let (Ok(cofactor), Ok(used)) = (expand(&reduced.outer), reduced.cofactors()) else {
                 continue;
             };
             let mut certain = reduced.multiplier.clone();
@@ -297,7 +295,7 @@ impl Prover {
             let proof = Proof::NonVanishing {
                 certain: listed(&certain),
                 cofactor,
-                cofactors: cofactors(&reduced.cofactors),
+                cofactors: cofactors(&used),
             };
             let sign = Sign::NonZero;
             self.add(Fact { polynomial, sign }, proof);
@@ -349,7 +347,7 @@ impl Prover {
             settled.then_some((sum, reduced))
         })?;
         *reduced.multiplier.entry(sum).or_insert(0) += 1;
-        Some(combination(&reduced, 1))
+        combination(&reduced, 1).ok()
     }
 
     fn nonzero(&mut self, goal: &Polynomial, effort: Effort) -> Option<Proof> {
@@ -361,7 +359,7 @@ impl Prover {
             return Some(Proof::NonVanishing {
                 certain: listed(&certain),
                 cofactor: expand(&reduced.multiplier).ok()?,
-                cofactors: negated(&reduced.cofactors),
+                cofactors: negated(&reduced.cofactors().ok()?),
             });
         }
         if effort == Effort::Light {
@@ -419,7 +417,7 @@ impl Prover {
             .find(|e| self.knowledge.is_nonzero(&e.polynomial))?;
         let mut certain = element.multiplier.clone();
         *certain.entry(element.polynomial.clone()).or_insert(0) += 1;
-        let mut used = element.cofactors.clone();
+        let mut used = element.cofactors().ok()?;
         let cofactor = used.remove(&own).unwrap_or_default();
         Some(Proof::NonVanishing {
             certain: listed(&certain),
@@ -464,24 +462,29 @@ fn zero_by_elimination(ideal: &Ideal, goal: &Polynomial) -> Option<Proof> {
             .ok()?;
     }
     let settled = reduced.polynomial.is_zero();
-    settled.then(|| combination(&reduced, 1))
+    settled.then(|| combination(&reduced, 1).ok())?
 }
 
 /// `M · goal^power = Σ C h`.
-fn combination(reduced: &Reduced, power: u32) -> Proof {
-    Proof::Combination {
+fn combination(reduced: &Reduced, power: u32) -> Result<Proof, TooLarge> {
+    Ok(Proof::Combination {
         multiplier: listed(&reduced.multiplier),
         power,
-        cofactors: cofactors(&reduced.cofactors),
-    }
+        cofactors: cofactors(&reduced.cofactors()?),
+    })
 }
 
-/// `M e · goal = Σ (goal · cofactor) h`, where `e` cannot vanish.
-fn from_contradiction(element: &Tracked, goal: &Polynomial) -> Result<Proof, TooLarge> {
-    let mut multiplier = element.multiplier.clone();
-    *multiplier.entry(element.polynomial.clone()).or_insert(0) += 1;
+/// `M e · goal = Σ (goal · cofactor) h`, where `e` cannot vanish and `M e = Σ cofactor h`.
+fn from_contradiction(
+    certain: &Polynomial,
+    multiplier: &Nonzero,
+    own: &Map<usize, Polynomial>,
+    goal: &Polynomial,
+) -> Result<Proof, TooLarge> {
+    let mut multiplier = multiplier.clone();
+    *multiplier.entry(certain.clone()).or_insert(0) += 1;
     let mut used = Map::new();
-    for (at, cofactor) in &element.cofactors {
+    for (at, cofactor) in own {
         used.insert(*at, cofactor.times(goal)?);
     }
     Ok(Proof::Combination {

@@ -62,7 +62,7 @@ pub fn root_of(element: &Tracked, prover: &Prover) -> Result<Option<(Fact, Proof
                 *multiplier.entry(factor).or_insert(0) += 1;
             }
         }
-        let mut used = element.cofactors.clone();
+        let mut used = element.cofactors()?;
         let mut outer = common.times(&right.pow(order)?)?;
         for (factor, exponent) in &element.multiplier {
             outer = outer.times(&factor.pow(*exponent)?)?;

@@ -1,21 +1,47 @@
 //! Polynomials that remember how they were made from the equations.
 
 use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
 use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var, product, times_all};
 use crate::kernel::{Cofactors, Factors, Knowledge};
-use crate::sorted::Map;
+use crate::sorted::{Map, Set};
 
 /// A product of powers that are known not to vanish.
 pub type Nonzero = Map<Polynomial, u32>;
 
 /// An equation's consequence: `Π multiplier · polynomial = Σ cofactor · equation`.
+///
+/// Most are of no use in the end. So the cofactors, which are far longer than the polynomial, are worked out only when they are asked for.
 #[derive(Clone, Debug)]
 pub struct Tracked {
     pub polynomial: Polynomial,
     pub multiplier: Nonzero,
-    pub cofactors: Map<usize, Polynomial>,
+    made: Rc<Made>,
 }
+
+/// How a polynomial was made.
+#[derive(Clone, Debug)]
+enum Made {
+    /// It is the equation at this position.
+    Equation(usize),
+    /// `Σ weight · part`, with the `multiplier` that all parts were brought to.
+    Sum {
+        multiplier: Nonzero,
+        parts: Vec<(Polynomial, Part)>,
+    },
+}
+
+/// Something made, with the multiplier that it had when it was made use of.
+#[derive(Clone, Debug)]
+struct Part {
+    multiplier: Nonzero,
+    made: Rc<Made>,
+}
+
+/// The cofactors that were worked out, by what was made.
+type Known = HashMap<*const Made, Map<usize, Polynomial>>;
 
 /// What a goal has become: `Π multiplier · goal = Π outer · polynomial + Σ cofactor · equation`.
 #[derive(Clone, Debug)]
@@ -23,7 +49,21 @@ pub struct Reduced {
     pub polynomial: Polynomial,
     pub multiplier: Nonzero,
     pub outer: Nonzero,
-    pub cofactors: Map<usize, Polynomial>,
+    steps: Vec<Step>,
+}
+
+/// What was done to the cofactors of a goal.
+#[derive(Clone, Debug)]
+enum Step {
+    /// All were multiplied by this.
+    Scaled(Polynomial),
+    /// To them, multiplied by `scale`, were added those of `part` times `weight · Π outer`.
+    Added {
+        scale: Nonzero,
+        weight: Polynomial,
+        outer: Nonzero,
+        part: Part,
+    },
 }
 
 pub fn expand(factors: &Nonzero) -> Result<Polynomial, TooLarge> {
@@ -81,13 +121,103 @@ fn include(into: &mut Nonzero, factors: &Nonzero) {
     }
 }
 
+/// Brings a product to a common multiple with another one.
+fn join(into: &mut Nonzero, factors: &Nonzero) {
+    for (factor, exponent) in factors {
+        let slot = into.entry(factor.clone()).or_insert(0);
+        *slot = (*slot).max(*exponent);
+    }
+}
+
+/// What is left of a product where what it has in common with another one is gone.
+fn missing(factors: &Nonzero, own: &Nonzero) -> Nonzero {
+    let mut missing = factors.clone();
+    missing.retain(|factor, exponent| {
+        *exponent = exponent.saturating_sub(own.get(factor).copied().unwrap_or(0));
+        *exponent > 0
+    });
+    missing
+}
+
+impl Part {
+    /// `Π multiplier · polynomial = Σ cofactor · equation`, for what was made.
+    fn cofactors<'k>(&self, known: &'k mut Known) -> Result<&'k Map<usize, Polynomial>, TooLarge> {
+        let own = Rc::as_ptr(&self.made);
+        if !known.contains_key(&own) {
+            let cofactors = match &*self.made {
+                Made::Equation(at) => Map::from([(*at, Polynomial::one())]),
+                Made::Sum { multiplier, parts } => {
+                    let mut sum = Map::new();
+                    for (weight, part) in parts {
+                        let missing = missing(multiplier, &part.multiplier);
+                        let weight = times(weight, &missing)?.into_owned();
+                        accumulate(&mut sum, part.cofactors(known)?, &weight)?;
+                    }
+                    sum
+                }
+            };
+            known.insert(own, cofactors);
+        }
+        known.get(&own).ok_or(TooLarge)
+    }
+
+    /// Adds the equations that it was made from.
+    fn collect_sources(&self, seen: &mut HashSet<*const Made>, found: &mut Set<usize>) {
+        if !seen.insert(Rc::as_ptr(&self.made)) {
+            return;
+        }
+        match &*self.made {
+            Made::Equation(at) => {
+                found.insert(*at);
+            }
+            Made::Sum { parts, .. } => {
+                parts
+                    .iter()
+                    .for_each(|(_, part)| part.collect_sources(seen, found));
+            }
+        }
+    }
+}
+
 impl Tracked {
     /// One of the equations themselves.
     pub fn equation(at: usize, polynomial: Polynomial) -> Self {
         Tracked {
             polynomial,
             multiplier: Nonzero::new(),
-            cofactors: Map::from([(at, Polynomial::one())]),
+            made: Made::Equation(at).into(),
+        }
+    }
+
+    /// What its polynomial is multiplied by each equation for.
+    pub fn cofactors(&self) -> Result<Map<usize, Polynomial>, TooLarge> {
+        self.part().cofactors(&mut Known::new()).cloned()
+    }
+
+    /// The equations that it was made from.
+    pub fn sources(&self) -> Set<usize> {
+        let mut found = Set::new();
+        self.part().collect_sources(&mut HashSet::new(), &mut found);
+        found
+    }
+
+    fn part(&self) -> Part {
+        Part {
+            multiplier: self.multiplier.clone(),
+            made: Rc::clone(&self.made),
+        }
+    }
+
+    /// The same with the sign turned round.
+    pub fn negated(&self) -> Self {
+        let minus_one = Polynomial::constant(Rational::from(-1));
+        Tracked {
+            polynomial: self.polynomial.negated(),
+            multiplier: self.multiplier.clone(),
+            made: Rc::new(Made::Sum {
+                multiplier: self.multiplier.clone(),
+                parts: vec![(minus_one, self.part())],
+            }),
         }
     }
 
@@ -136,27 +266,37 @@ impl Tracked {
 
     /// `p · self − q · other`.
     pub fn combine(&self, p: &Polynomial, other: &Self, q: &Polynomial) -> Result<Self, TooLarge> {
-        // Bring both to the same multiplier.
         let mut multiplier = self.multiplier.clone();
-        for (factor, exponent) in &other.multiplier {
-            let slot = multiplier.entry(factor.clone()).or_insert(0);
-            *slot = (*slot).max(*exponent);
-        }
-        let missing = |own: &Nonzero, times| {
-            let exponent = |f: &Polynomial| own.get(f).copied().unwrap_or(0);
-            let missing = multiplier.iter().map(|(f, e)| (f, e - exponent(f)));
-            times_all(Cow::Borrowed(times), missing)
-        };
-        let mut cofactors = Map::new();
-        let plus = missing(&self.multiplier, p)?;
-        accumulate(&mut cofactors, &self.cofactors, &plus)?;
-        let minus = missing(&other.multiplier, q)?.negated();
-        accumulate(&mut cofactors, &other.cofactors, &minus)?;
+        join(&mut multiplier, &other.multiplier);
         Ok(Tracked {
             polynomial: (self.polynomial.weighted(p)?).minus(&*other.polynomial.weighted(q)?),
+            made: Rc::new(Made::Sum {
+                multiplier: multiplier.clone(),
+                parts: vec![(p.clone(), self.part()), (q.negated(), other.part())],
+            }),
             multiplier,
-            cofactors,
         })
+    }
+
+    /// Subtracts `q · other`.
+    pub fn subtract(&mut self, q: &Polynomial, other: &Self) -> Result<(), TooLarge> {
+        self.polynomial = self.polynomial.minus(&*other.polynomial.weighted(q)?);
+        // One long sum, rather than sums in sums.
+        let before = match Rc::get_mut(&mut self.made) {
+            Some(Made::Sum { multiplier, parts }) if *multiplier == self.multiplier => {
+                join(multiplier, &other.multiplier);
+                self.multiplier.clone_from(multiplier);
+                parts.push((q.negated(), other.part()));
+                return Ok(());
+            }
+            _ => self.part(),
+        };
+        join(&mut self.multiplier, &other.multiplier);
+        self.made = Rc::new(Made::Sum {
+            multiplier: self.multiplier.clone(),
+            parts: vec![(Polynomial::one(), before), (q.negated(), other.part())],
+        });
+        Ok(())
     }
 
     /// Removes the power of an unknown in which `pivot` is linear, by multiplying with its coefficient.
@@ -203,8 +343,34 @@ impl Reduced {
             polynomial: goal,
             multiplier: Nonzero::new(),
             outer: Nonzero::new(),
-            cofactors: Map::new(),
+            steps: Vec::new(),
         }
+    }
+
+    /// Whether nothing was done to it.
+    pub fn is_as_it_was(&self) -> bool {
+        self.multiplier.is_empty() && self.outer.is_empty() && self.steps.is_empty()
+    }
+
+    /// The cofactors, worked out anew.
+    pub fn cofactors(&self) -> Result<Map<usize, Polynomial>, TooLarge> {
+        let (mut cofactors, mut known) = (Map::new(), Known::new());
+        for step in &self.steps {
+            match step {
+                Step::Scaled(by) => scale(&mut cofactors, by)?,
+                Step::Added {
+                    scale: by,
+                    weight,
+                    outer,
+                    part,
+                } => {
+                    scale(&mut cofactors, &expand(by)?)?;
+                    let weight = times(weight, outer)?;
+                    accumulate(&mut cofactors, part.cofactors(&mut known)?, &weight)?;
+                }
+            }
+        }
+        Ok(cofactors)
     }
 
     /// Replaces `polynomial` by `weight · polynomial − quotient · element`, where `weight` does not vanish.
@@ -216,18 +382,35 @@ impl Reduced {
     ) -> Result<(), TooLarge> {
         let polynomial = times(&self.polynomial, weight)?;
         let polynomial = polynomial.minus(&quotient.times(&element.polynomial)?);
-        // M w Mₑ goal = S Mₑ (w G − q e) + S q Σ cof_e h + w Mₑ Σ C h
-        scale(
-            &mut self.cofactors,
-            &*times(&expand(weight)?, &element.multiplier)?,
-        )?;
-        let outer = times(quotient, &self.outer)?;
-        accumulate(&mut self.cofactors, &element.cofactors, &outer)?;
-        include(&mut self.multiplier, weight);
-        include(&mut self.multiplier, &element.multiplier);
-        include(&mut self.outer, &element.multiplier);
+        // M w D goal = S D (w G − q e) + (S D / Mₑ) q Σ cof_e h + w D Σ C h, with the least D for which S D is a multiple of Mₑ
+        let lacking = missing(&element.multiplier, &self.outer);
+        include(&mut self.outer, &lacking);
+        let mut scale = weight.clone();
+        include(&mut scale, &lacking);
+        include(&mut self.multiplier, &scale);
+        self.steps.push(Step::Added {
+            scale,
+            weight: quotient.clone(),
+            outer: missing(&self.outer, &element.multiplier),
+            part: element.part(),
+        });
         self.polynomial = polynomial;
         Ok(())
+    }
+
+    /// Multiplies by something that does not vanish: `M f goal = S (f G) + f Σ C h`.
+    pub fn multiply(&mut self, factor: &Polynomial) -> Result<(), TooLarge> {
+        self.polynomial = self.polynomial.times(factor)?;
+        *self.multiplier.entry(factor.clone()).or_insert(0) += 1;
+        self.steps.push(Step::Scaled(factor.clone()));
+        Ok(())
+    }
+
+    /// Multiplies both sides by something that does not vanish, what stands before the polynomial with it.
+    pub fn multiply_outside(&mut self, factor: &Polynomial) {
+        *self.multiplier.entry(factor.clone()).or_insert(0) += 1;
+        *self.outer.entry(factor.clone()).or_insert(0) += 1;
+        self.steps.push(Step::Scaled(factor.clone()));
     }
 
     /// Removes the pivot's unknown. Where signs matter the goal is multiplied by something positive only.
@@ -252,22 +435,28 @@ impl Reduced {
 
     /// Cancels every term that a leading term of the basis divides.
     pub fn normal_form(&mut self, basis: &[Tracked], steps: &mut usize) -> Result<(), TooLarge> {
-        'again: while *steps > 0 {
-            for (monomial, coefficient) in self.polynomial.clone().terms().rev() {
-                for element in basis {
-                    let Some((lead, own)) = element.polynomial.leading() else {
-                        continue;
-                    };
-                    if let Some(quotient) = monomial.divided_by(lead) {
-                        *steps -= 1;
-                        let quotient = Polynomial::term(quotient, coefficient / own);
-                        self.step(&Nonzero::new(), &quotient, element)?;
-                        continue 'again;
-                    }
-                }
-            }
-            return Ok(());
+        while *steps > 0 {
+            let Some((quotient, element)) = next_division(&self.polynomial, basis) else {
+                return Ok(());
+            };
+            *steps -= 1;
+            self.step(&Nonzero::new(), &quotient, element)?;
         }
         Err(TooLarge)
     }
+}
+
+/// The first term of a polynomial, the smallest ones first, that the leading term of an element divides, and how often.
+pub fn next_division<'b>(
+    polynomial: &Polynomial,
+    basis: &'b [Tracked],
+) -> Option<(Polynomial, &'b Tracked)> {
+    let mut terms = polynomial.terms().rev();
+    terms.find_map(|(monomial, coefficient)| {
+        basis.iter().find_map(|element| {
+            let (lead, own) = element.polynomial.leading()?;
+            let quotient = monomial.divided_by(lead)?;
+            Some((Polynomial::term(quotient, coefficient / own), element))
+        })
+    })
 }

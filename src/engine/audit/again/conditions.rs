@@ -39,7 +39,10 @@ impl Judge<'_> {
         {
             return true;
         }
-        if effort == Effort::Full && self.follows_divided(goal, &set, &unbounded, found) {
+        if effort == Effort::Full
+            && (self.follows_divided(goal, &set, &unbounded, found)
+                || self.follows_over_what_is_positive(goal, &set, &unbounded, found))
+        {
             return true;
         }
         // Who writes a root means the positive one, and who takes a logarithm takes it of what is positive.
@@ -85,6 +88,35 @@ impl Judge<'_> {
         let with = conditions.iter().map(step);
         let with: Vec<Assumed> = set.iter().cloned().chain(with).collect();
         !self.is_contradictory(&with, goal)
+            && self.holds_under(goal, set.to_vec(), &conditions, Effort::Full, found)
+    }
+
+    /// Whether an inequality follows where all that it or what it is equivalent to is divided by is positive: who draws
+    /// `\beta \geq \frac{q - p}{q - r}` from `\frac{p}{1 - \beta} \geq q + \frac{\beta r}{1 - \beta}` means `\beta < 1` and `q > r`.
+    fn follows_over_what_is_positive(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        unbounded: &[Symbol],
+        found: &mut Found,
+    ) -> bool {
+        if !goal.formula.is_inequality() {
+            return false;
+        }
+        let mut below = Vec::new();
+        let before = set.iter().filter(|own| own.source == Source::Step);
+        let formulas = before.map(|own| &*own.formula).chain([&goal.formula]);
+        let terms = formulas.flat_map(Formula::terms);
+        terms.for_each(|term| collect_divisors(term, &mut below));
+        below.retain(|own| own.free_symbols().iter().all(|own| unbounded.contains(own)));
+        let conditions: Vec<Formula> = below.into_iter().map(Formula::positive).collect();
+        let with: Vec<Assumed> = conditions.iter().map(step).collect();
+        // What they say by themselves is no step.
+        let alone = self.derivation.claim(self.at, &with, &goal.formula);
+        let with: Vec<Assumed> = set.iter().cloned().chain(with).collect();
+        !conditions.is_empty()
+            && search::prove_unconditionally(alone, Effort::Full).is_none()
+            && !self.is_contradictory(&with, goal)
             && self.holds_under(goal, set.to_vec(), &conditions, Effort::Full, found)
     }
 
@@ -371,6 +403,17 @@ fn collect_factors(side: &Expr, factors: &mut Set<Symbol>) {
         }
         _ => {}
     }
+}
+
+/// What a term is divided by that is no number.
+fn collect_divisors(term: &Expr, found: &mut Vec<Expr>) {
+    if let Expr::Quotient(_, below) = term
+        && !below.free_symbols().is_empty()
+        && !found.contains(below)
+    {
+        found.push((**below).clone());
+    }
+    (term.children()).for_each(|child| collect_divisors(child, found));
 }
 
 /// Whether a root is written in a formula.

@@ -183,7 +183,7 @@ impl Judge<'_> {
                 Decision::Refuted(refuted) => refuted,
                 // It obeys the law, and may have another value where the text tells one.
                 Decision::Proven { .. } => {
-                    let begins = self.begins_otherwise(goal, &own);
+                    let begins = self.begins_otherwise((goal, solution), &own);
                     let other = begins.or_else(|| self.ends_otherwise(goal, &own));
                     return other.or_else(|| {
                         let mut open = Found::open(refuted_at_a_point?.clone());
@@ -378,11 +378,11 @@ impl Judge<'_> {
     }
 
     /// What to say of a solution that has another value than the text tells just before it.
-    fn begins_otherwise(&self, goal: &Goal, own: &Solution) -> Option<Found> {
+    fn begins_otherwise(&self, (goal, solution): (&Goal, &Goal), own: &Solution) -> Option<Found> {
         let mut said = self.derivation.conditions_said(self.at);
         said.retain(|own| own.just_said);
-        let mut met = self.slopes_where_told(&said, goal, &own.variable);
-        met.extend(self.met_where_it_begins(said, goal, &own.variable));
+        let mut met = self.slopes_where_told(&said, solution, &own.variable);
+        met.extend(self.met_where_it_begins(said, solution, &own.variable));
         met.into_iter().find_map(|(_, there)| {
             match self.decide_of(own, own.circumstances(), &there)? {
                 // The solution itself was put in there.

@@ -39,8 +39,14 @@ impl Judge<'_> {
         let (new, named) = self.defined_anew(goal)?;
         let mut assumed = self.cited(goal, &[], premises);
         let mut words = self.said_of_the_place(Side::Before);
-        words.extend(self.named_before(premises));
         let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
+        let is_old = |own: &Assumed| {
+            matches!(own.source, Source::Local(..)) && !self.is_said_just_before(own)
+        };
+        let says_where = self.names_its_premises()
+            || fresh.clone().next().is_some()
+            || !words.iter().all(is_old);
+        words.extend(self.named_before(premises));
         let said: Vec<&Assumed> = words.iter().chain(fresh).collect();
         let set: Vec<Place> = said.iter().copied().filter_map(place).collect();
         // What is a number there is printed as one: `K = (\gamma - 1) m c^2` is not said of $m = 0$.
@@ -137,8 +143,9 @@ impl Judge<'_> {
         if by_law.is_some() {
             return by_law;
         }
-        // "A soap bubble has two surfaces, so `\Delta p_s = 4\gamma/R`" is no value of `\Delta p` for all its name.
-        if is_by_name && !self.says(&SOLVING) {
+        // "A soap bubble has two surfaces, so `\Delta p_s = 4\gamma/R`" is no value of `\Delta p` for all its name; nor is `\pi` the value of
+        // `b` in "Each firm then earns" because one symbol was taken for another before.
+        if (is_by_name || !says_where) && !self.says(&SOLVING) {
             return None;
         }
         // What a display says plainly and nobody cites keeps its letter: the `v` after `\Delta K = …` at $e = 0$ is no `\Delta K`.

@@ -8,7 +8,7 @@ use num_traits::Signed;
 use crate::algebra::{Expr, Formula, Function, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Kind, Source, values_at};
 use crate::search::{self, Effort, InChain};
-use crate::sorted;
+use crate::sorted::{self, Set};
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY, step};
@@ -31,6 +31,8 @@ impl Judge<'_> {
     ) -> bool {
         effort::within(MOST_WORK, || {
             self.follows_throughout(goal, assumed, premises, found)
+        }) || effort::within(MOST_WORK, || {
+            self.follows_from_definitions(goal, assumed, premises, found)
         }) || effort::within(MOST_WORK, || {
             self.follows_unstated(goal, assumed, premises, found)
         }) || effort::within(MOST_WORK, || {
@@ -60,6 +62,36 @@ impl Judge<'_> {
         let few = all.len().min(assumed.len() + told + NEARBY[0].0);
         self.follows_where_positive(goal, &all[..few], false, found)
             || few < all.len() && self.follows_where_positive(goal, &all, false, found)
+    }
+
+    /// The same from nothing but what says what the symbols of the step are, and those in that: beside a law and its solution hardly
+    /// anything is found.
+    fn follows_from_definitions(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        premises: &[usize],
+        found: &mut Found,
+    ) -> bool {
+        if self.names_its_premises() || !self.failing(premises).is_empty() {
+            return false;
+        }
+        let Some(mut left) = self.with_others(assumed, premises) else {
+            return false;
+        };
+        let (mut names, mut chain) = (goal.formula.names(), Vec::new());
+        let defines = |own: &Assumed, names: &Set<Symbol>| {
+            !own.formula.speaks_of_slopes() && names.iter().any(|name| own.is_of(name))
+        };
+        while let Some(at) = left.iter().position(|own| defines(own, &names)) {
+            let own = left.remove(at);
+            names.extend(own.formula.names());
+            chain.push(own);
+        }
+        !chain.is_empty()
+            && !left.is_empty()
+            && (self.under_conditions(goal, chain.clone(), None, (false, Effort::Full), found)
+                || self.follows_where_positive(goal, &chain, false, found))
     }
 
     fn follows_unstated(

@@ -6,11 +6,11 @@
 
 use std::cell::OnceCell;
 
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
-use crate::algebra::{BigInt, BigRational, Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, Page, Printed, Source};
-use crate::kernel::Standing;
+use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
+use crate::derivation::{Assumed, Goal, Page, Printed, Source, values_at};
+use crate::kernel::{Refuted, Standing};
 use crate::notation::{Precision, Rounding, has_decimals, has_units, is_figures};
 
 use crate::search;
@@ -248,9 +248,21 @@ impl Auditor<'_> {
             let found = search::consistency(&claim, &self.hints());
             !matches!(found, search::Consistency::Contradictory(_))
         };
-        // `x_1 = \frac{5 + 7}{6} = 2`
+        // `x_1 = \frac{5 + 7}{6} = 2`; `\beta \geq \frac{569 - 506}{569 - 450} = 0.53`, where nothing bounds it.
         let is_evaluated = |own: &Judged| {
-            let value = own.goal.formula.as_equation();
+            let value = match &own.goal.formula {
+                Formula::Relation {
+                    left,
+                    relation,
+                    right,
+                } => {
+                    let names = left.free_symbols();
+                    let speaks = |own: &Assumed| !own.formula.names().is_disjoint(&names);
+                    let is_free = *relation == Relation::Equal || !own.assumed.iter().any(speaks);
+                    is_free.then_some((left, right))
+                }
+                Formula::AllEqual { .. } => None,
+            };
             let is_figure = |term: &Expr| term.free_symbols().iter().all(Symbol::is_unit);
             entry
                 .judged
@@ -409,8 +421,8 @@ fn number_of(term: &Expr) -> Option<&BigRational> {
     }
 }
 
-/// The goal of a link that ends in a whole number, taken for rounded where it is irrational: two digits of a root, and three of a multiple
-/// of π, which may have been worked out from more digits than are printed.
+/// The goal of a link that ends in a whole number, taken for rounded where it is no decimal: two digits of a root, and three of a multiple
+/// of π, which may have been worked out from more digits than are printed, or of a fraction that has a unit.
 fn as_rounded(judged: &Judged, page: &Page) -> Goal {
     let goal = &judged.goal;
     let sides = goal.formula.as_equation();
@@ -423,14 +435,38 @@ fn as_rounded(judged: &Judged, page: &Page) -> Goal {
     if refuted.witness().algebraic.is_some() && reaches(10) {
         return near_whole(goal);
     }
+    // `E I = 333\,\mathrm{N\,m^2}` for 1000/3
+    let loosely = near_whole(goal);
+    let is_near = |own: &Rounding| is_rounded(left, value, &own.share, refuted);
+    if reaches(100)
+        && sides.is_some_and(|(_, right)| has_units(right))
+        && loosely.rounding.as_ref().is_some_and(is_near)
+    {
+        return loosely;
+    }
     if !left.mentions(&pi) || page.domains.contains_key(&pi) || !reaches(100) {
         return goal.clone();
     }
-    let mut loosely = near_whole(goal);
+    let mut loosely = loosely;
     if let (None, Some(rounding)) = (&goal.rounding, &mut loosely.rounding) {
         rounding.share *= BigRational::from_integer(2.into());
     }
     loosely
+}
+
+/// Whether the value of a term at a point can be no decimal, and is a number up to a share of that, units aside.
+fn is_rounded(term: &Expr, number: &BigRational, share: &BigRational, refuted: &Refuted) -> bool {
+    let there = values_at(refuted.claim(), refuted.witness());
+    let Ok(value) = there.value(term) else {
+        return false;
+    };
+    let mut rest = value.denom().clone();
+    for prime in [2, 5].map(BigInt::from) {
+        while (&rest % &prime).is_zero() {
+            rest /= &prime;
+        }
+    }
+    !rest.is_one() && (value - number).abs() <= share * number
 }
 
 /// A goal whose right side adds up whole numbers of one unit that are long enough to be rounded, `T = 662\,\mathrm{keV} - 184\,\mathrm{keV}`: each is

@@ -370,7 +370,13 @@ impl Parser<'_> {
                         help,
                     );
                 }
-                group
+                match self.of_angle && counts_on(&group) && self.is_plain() {
+                    true => {
+                        let rest = self.plain_argument()?;
+                        Expr::Product([group, rest].into())
+                    }
+                    false => group,
+                }
             }
             None => {
                 let argument = self.plain_argument()?;
@@ -549,6 +555,33 @@ pub(in crate::notation) fn stem(expr: &Expr) -> Option<&Symbol> {
     match name_raised(expr).map_or(expr, |(name, _)| name) {
         Expr::Symbol(name) | Expr::Element { sequence: name, .. } => Some(name),
         _ => None,
+    }
+}
+
+/// Whether what stands in parentheses only counts, `2 k + 1`: no sine is taken of it, but of its multiple of what follows, `\sin(2k + 1) x`.
+fn counts_on(term: &Expr) -> bool {
+    let is_count = |own: &Symbol| matches!(own.name(), "i" | "j" | "k" | "l" | "m" | "n" | "N");
+    let mut number = false;
+    let mut summand = |own: &Expr| {
+        let own = match own {
+            Expr::Negate(inner) => inner,
+            own => own,
+        };
+        let is_number = own.free_symbols().is_empty();
+        number |= is_number;
+        match own {
+            _ if is_number => true,
+            Expr::Symbol(own) => is_count(own),
+            Expr::Product(factors) => factors.iter().all(|own| match own {
+                Expr::Symbol(own) => is_count(own),
+                own => matches!(own, Expr::Number(own) if own.is_integer()),
+            }),
+            _ => false,
+        }
+    };
+    match term {
+        Expr::Sum(summands) => summands.iter().all(&mut summand) && number,
+        _ => false,
     }
 }
 

@@ -38,7 +38,7 @@ mod worked_out;
 
 pub(crate) use function::{angle_of, argument_of};
 pub(super) use function::{is_minus_one, stem};
-pub(super) use name::with_subscript;
+pub(crate) use name::with_subscript;
 
 use std::collections::BTreeSet;
 use std::convert::Infallible;

@@ -141,6 +141,17 @@ impl Prover {
                 }
             }
         }
+        // So may what is positive as a whole.
+        if found.is_none() {
+            let divisors = self.positive_divisors(&reduced.polynomial);
+            if !divisors.is_empty() {
+                for divisor in divisors {
+                    reduced.polynomial = reduced.polynomial.divided_by(&divisor)?;
+                    *reduced.outer.entry(divisor).or_insert(0) += 1;
+                }
+                found = decompose(&reduced.polynomial, strict, &known);
+            }
+        }
         // What is not negative does too, where 0 will do.
         if found.is_none() && !strict {
             let content = self.nonnegative_content(&reduced.polynomial);
@@ -152,7 +163,7 @@ impl Prover {
         let found = found?;
         let mut used: Map<usize, Polynomial> = Map::new();
         for (at, weight) in &found.equations {
-            for (position, cofactor) in &self.ideal.rest[*at].cofactors {
+            for (position, cofactor) in &self.ideal.rest[*at].cofactors().ok()? {
                 let slot = used.entry(*position).or_default();
                 *slot = slot.plus(&cofactor.times(weight).ok()?);
             }
@@ -162,8 +173,7 @@ impl Prover {
             terms: found.terms,
             cofactors: cofactors(&used),
         };
-        if reduced.multiplier.is_empty() && reduced.outer.is_empty() && reduced.cofactors.is_empty()
-        {
+        if reduced.is_as_it_was() {
             return Some(inner);
         }
         let lemma = Fact {
@@ -178,7 +188,7 @@ impl Prover {
                 facts: vec![position],
                 ..plain(Rational::one())
             }],
-            cofactors: cofactors(&reduced.cofactors),
+            cofactors: cofactors(&reduced.cofactors().ok()?),
         })
     }
 
@@ -188,11 +198,7 @@ impl Prover {
     fn variants(&self, reduced: &Reduced) -> Vec<Reduced> {
         let times = |factor: &Polynomial| -> Option<Reduced> {
             let mut other = reduced.clone();
-            other.polynomial = other.polynomial.times(factor).ok()?;
-            *other.multiplier.entry(factor.clone()).or_insert(0) += 1;
-            for cofactor in other.cofactors.values_mut() {
-                *cofactor = cofactor.times(factor).ok()?;
-            }
+            other.multiply(factor).ok()?;
             Some(other)
         };
         let counts = positive_counts(&self.atoms, &self.knowledge);
@@ -255,11 +261,7 @@ impl Prover {
             odd.map(|(f, _)| f.clone()).collect()
         };
         for factor in doubtful(&reduced.multiplier) {
-            *reduced.multiplier.entry(factor.clone()).or_insert(0) += 1;
-            *reduced.outer.entry(factor.clone()).or_insert(0) += 1;
-            for cofactor in reduced.cofactors.values_mut() {
-                *cofactor = cofactor.times(&factor)?;
-            }
+            reduced.multiply_outside(&factor);
         }
         for factor in doubtful(&reduced.outer) {
             reduced.polynomial = reduced.polynomial.times(&factor)?;
@@ -279,6 +281,23 @@ impl Prover {
         powers
             .filter(|power| self.knowledge.monomial_is_positive(power))
             .fold(Monomial::one(), |all, power| all.times(&power))
+    }
+
+    /// What is known to be positive as a whole and divides a polynomial, `q - r` of `(q - r) (\beta (q - r) - (q - p))`, as often as it does.
+    fn positive_divisors(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
+        let mut found = Vec::new();
+        let mut rest = polynomial.clone();
+        for fact in self.facts.iter().filter(|own| own.sign == Sign::Positive) {
+            let divisor = &fact.polynomial;
+            while divisor.len() > 1
+                && rest.degree() > divisor.degree()
+                && let Some(quotient) = rest.divided_by(divisor)
+            {
+                rest = quotient;
+                found.push(divisor.clone());
+            }
+        }
+        found
     }
 
     /// The powers that divide every term and are known not to be negative.
@@ -357,6 +376,10 @@ impl Prover {
             polynomial = polynomial.divided_by(&content).unwrap_or_default();
             multiplier.push((content, 1));
         }
+        for divisor in self.positive_divisors(&polynomial) {
+            polynomial = polynomial.divided_by(&divisor).unwrap_or_default();
+            multiplier.push((divisor, 1));
+        }
         // What says that 1 > 0 is of no use; what says that 0 > 0 is of great use.
         let idle = |c: Rational| c.is_positive() || c.is_zero() && fact.sign == Sign::NonNegative;
         if polynomial == fact.polynomial || polynomial.as_constant().is_some_and(idle) {
@@ -370,7 +393,7 @@ impl Prover {
                 facts: vec![position],
                 ..plain(Rational::one())
             }],
-            cofactors: negated(&reduced.cofactors),
+            cofactors: negated(&reduced.cofactors()?),
         };
         let sign = fact.sign;
         Ok(Some((Fact { polynomial, sign }, proof)))
