@@ -104,8 +104,7 @@ fn ends_with(before: &str, words: &[&str]) -> bool {
 
 /// Whether what stands after names begins with words that say that they are such: "are arbitrary functions".
 fn are(after: &str, words: &[&str]) -> bool {
-    let clause = after.split([',', '.', ';', ':', '(']).next().unwrap_or("");
-    let mut spoken = clause.split_whitespace();
+    let mut spoken = spoken_in_clause(after);
     if !spoken.next().is_some_and(|word| LINKING.contains(&word)) {
         return false;
     }
@@ -120,10 +119,15 @@ fn are(after: &str, words: &[&str]) -> bool {
     false
 }
 
+/// The words up to where a clause ends.
+fn spoken_in_clause(after: &str) -> impl Iterator<Item = &str> {
+    let clause = after.split([',', '.', ';', ':', '(']).next().unwrap_or("");
+    clause.split_whitespace()
+}
+
 /// Whether what stands after names begins with words beside them that say that they are functions which are only applied.
 fn beside(after: &str) -> bool {
-    let clause = after.split([',', '.', ';', ':', '(']).next().unwrap_or("");
-    let spoken: Vec<&str> = clause.split_whitespace().take(MOST_BETWEEN + 1).collect();
+    let spoken: Vec<&str> = spoken_in_clause(after).take(MOST_BETWEEN + 1).collect();
     let is_such = |pair: &[&str]| APPLIED.contains(&pair[0]) && FUNCTIONS.contains(&pair[1]);
     spoken.first() == Some(&"the") && spoken.windows(2).any(is_such)
 }

@@ -138,7 +138,8 @@ fn is_compound(words: &[&str], at: usize) -> bool {
         && (after.starts_with(char::is_uppercase) || AFTER_NOUNS.contains(&after))
 }
 
-/// Whether the text calls something by a letter, "the current $i$", "where $i$ is the concentration", "lines for different $i$", where it says nothing of an imaginary unit.
+/// Whether the text calls something by a letter, "the current $i$", "where $i$ is the concentration", "lines for different $i$", where it says
+/// nothing of an imaginary unit.
 fn is_called_something(own: &[usize], pages: &[Page], letter: &str) -> bool {
     let own = own.iter().map(|&at| &pages[at].document);
     let mut texts = own.flat_map(|document| document.prose().map(move |prose| (document, prose)));

@@ -5,7 +5,7 @@
 
 use crate::algebra::{Expr, Symbol, split_subscript};
 use crate::notation::with_subscript;
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 use super::Equation;
 use super::equation::{all_terms, map_terms};
@@ -20,16 +20,19 @@ pub(super) fn read_cases(page: &mut Page, equations: &mut [Equation]) {
     for term in all_terms(page, equations) {
         found.see(term);
     }
-    found.raised.retain(|(_, letter)| {
-        !found.standing.contains(letter) && !page.is_declared(letter) && !is_named(page, letter)
-    });
-    let several = |name: &Symbol| {
-        let above = found.raised.iter().filter(|(own, _)| own == name);
-        above.count() >= SEVERAL
+    let letters: Set<Symbol> = found.raised.iter().map(|own| own.1.clone()).collect();
+    let is_known = |own: &&Symbol| {
+        found.standing.contains(*own) || page.is_declared(own) || is_named(page, own)
     };
-    let names = found.raised.iter().map(|(name, _)| name.clone());
-    let names: Set<Symbol> = names.filter(several).collect();
-    found.raised.retain(|(name, _)| names.contains(name));
+    let known: Set<Symbol> = letters.iter().filter(is_known).cloned().collect();
+    found.raised.retain(|(_, letter)| !known.contains(letter));
+    let mut above: Map<Symbol, usize> = Map::new();
+    for (name, _) in found.raised.iter() {
+        *above.entry(name.clone()).or_insert(0) += 1;
+    }
+    found
+        .raised
+        .retain(|(name, _)| above.get(name) >= Some(&SEVERAL));
     if !found.raised.is_empty() {
         map_terms(page, equations, |term| as_names(term, &found.raised));
     }

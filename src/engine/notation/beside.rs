@@ -47,7 +47,7 @@ pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
     if !is_counted(&side.expr) {
         return;
     }
-    let by = match factor_after(source, body.end).or_else(|| factor_of_pair(source, body.end)) {
+    let by = match factor_after(source, body.end).or_else(|| factor_of_pair(source, body)) {
         Some(Factor::Unit(number)) if !number.is_one() => number,
         Some(Factor::Degrees) => {
             side.expr = figures::degrees(side.expr.clone());
@@ -128,7 +128,7 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
 }
 
 /// What two decimals are said to be per that stand side by side: "$\beta = 0.50$ and $\gamma = 0.20$ per day".
-fn factor_of_pair(source: &str, end: usize) -> Option<Factor> {
+fn factor_of_pair(source: &str, body: Span) -> Option<Factor> {
     let decimal = |text: &str| {
         let (_, value) = text.split_once('=')?;
         let value = value.trim().trim_start_matches('-');
@@ -136,14 +136,13 @@ fn factor_of_pair(source: &str, end: usize) -> Option<Factor> {
         let digits = |own: &str| !own.is_empty() && own.bytes().all(|c| c.is_ascii_digit());
         (digits(whole) && digits(part)).then_some(())
     };
-    let start = source.get(..end)?.rfind('$')?;
-    decimal(source.get(start..end)?)?;
-    let rest = beginning(after_formula(source, end)?).trim_start();
+    let rest = beginning(after_formula(source, body.end)?).trim_start();
     let (other, after) = rest
         .strip_prefix("and")?
         .trim_start()
         .strip_prefix('$')?
         .split_once('$')?;
+    decimal(source.get(body.range())?)?;
     decimal(other)?;
     let after = after.trim_start();
     let unit = after.starts_with("per ").then(|| unit_or_per_unit(after))?;

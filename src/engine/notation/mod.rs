@@ -35,6 +35,7 @@ pub(crate) use figures::{
 };
 pub use lexer::is_constant_word;
 pub(crate) use parser::{angle_of, argument_of, with_subscript};
+pub(crate) use printer::decimal_places;
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,
     mathml_statement, plain, plain_formula, plain_statement, plain_symbol, relation_latex,

@@ -280,22 +280,16 @@ impl Tracked {
 
     /// Subtracts `q · other`.
     pub fn subtract(&mut self, q: &Polynomial, other: &Self) -> Result<(), TooLarge> {
-        self.polynomial = self.polynomial.minus(&*other.polynomial.weighted(q)?);
         // One long sum, rather than sums in sums.
-        let before = match Rc::get_mut(&mut self.made) {
+        match Rc::get_mut(&mut self.made) {
             Some(Made::Sum { multiplier, parts }) if *multiplier == self.multiplier => {
+                self.polynomial = self.polynomial.minus(&*other.polynomial.weighted(q)?);
                 join(multiplier, &other.multiplier);
                 self.multiplier.clone_from(multiplier);
                 parts.push((q.negated(), other.part()));
-                return Ok(());
             }
-            _ => self.part(),
-        };
-        join(&mut self.multiplier, &other.multiplier);
-        self.made = Rc::new(Made::Sum {
-            multiplier: self.multiplier.clone(),
-            parts: vec![(Polynomial::one(), before), (q.negated(), other.part())],
-        });
+            _ => *self = self.combine(&Polynomial::one(), other, q)?,
+        }
         Ok(())
     }
 

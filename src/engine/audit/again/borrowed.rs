@@ -287,3 +287,18 @@ pub(super) fn speaks_of_all<'a>(
         .iter()
         .all(said)
 }
+
+/// What `means` some of these symbols, and what does those in that, which join the symbols: taken out of what is said.
+pub(super) fn chain_of(
+    said: &mut Vec<Assumed>,
+    symbols: &mut Set<Symbol>,
+    means: impl Fn(&Assumed, &Set<Symbol>) -> bool,
+) -> Vec<Assumed> {
+    let mut found = Vec::new();
+    while let Some(at) = said.iter().position(|own| means(own, symbols)) {
+        let own = said.remove(at);
+        symbols.extend(own.formula.free_symbols());
+        found.push(own);
+    }
+    found
+}

@@ -85,10 +85,21 @@ impl Judge<'_> {
         let conditions: Vec<Formula> = factors
             .map(|own| Formula::nonzero(Expr::Symbol(own)))
             .collect();
+        self.holds_where_possible(goal, set, &conditions, found)
+    }
+
+    /// Whether the step follows under conditions that do not contradict what it follows from.
+    fn holds_where_possible(
+        &self,
+        goal: &Goal,
+        set: &[Assumed],
+        conditions: &[Formula],
+        found: &mut Found,
+    ) -> bool {
         let with = conditions.iter().map(step);
         let with: Vec<Assumed> = set.iter().cloned().chain(with).collect();
         !self.is_contradictory(&with, goal)
-            && self.holds_under(goal, set.to_vec(), &conditions, Effort::Full, found)
+            && self.holds_under(goal, set.to_vec(), conditions, Effort::Full, found)
     }
 
     /// Whether an inequality follows where all that it or what it is equivalent to is divided by is positive: who draws
@@ -108,16 +119,26 @@ impl Judge<'_> {
         let formulas = before.map(|own| &*own.formula).chain([&goal.formula]);
         let terms = formulas.flat_map(Formula::terms);
         terms.for_each(|term| collect_divisors(term, &mut below));
-        below.retain(|own| own.free_symbols().iter().all(|own| unbounded.contains(own)));
-        let conditions: Vec<Formula> = below.into_iter().map(Formula::positive).collect();
-        let with: Vec<Assumed> = conditions.iter().map(step).collect();
+        let mut conditions: Vec<Formula> = Vec::new();
+        for own in below {
+            let symbols = own.free_symbols();
+            let condition = Formula::positive(own);
+            if !symbols.is_empty()
+                && symbols.iter().all(|own| unbounded.contains(own))
+                && !conditions.contains(&condition)
+            {
+                conditions.push(condition);
+            }
+        }
         // What they say by themselves is no step.
-        let alone = self.derivation.claim(self.at, &with, &goal.formula);
-        let with: Vec<Assumed> = set.iter().cloned().chain(with).collect();
+        let alone = || {
+            let with: Vec<Assumed> = conditions.iter().map(step).collect();
+            let claim = self.derivation.claim(self.at, &with, &goal.formula);
+            search::prove_unconditionally(claim, Effort::Full).is_some()
+        };
         !conditions.is_empty()
-            && search::prove_unconditionally(alone, Effort::Full).is_none()
-            && !self.is_contradictory(&with, goal)
-            && self.holds_under(goal, set.to_vec(), &conditions, Effort::Full, found)
+            && !alone()
+            && self.holds_where_possible(goal, set, &conditions, found)
     }
 
     /// Whether the step follows where what is differentiated nowhere does not change, and something is left that does.
@@ -405,12 +426,9 @@ fn collect_factors(side: &Expr, factors: &mut Set<Symbol>) {
     }
 }
 
-/// What a term is divided by that is no number.
-fn collect_divisors(term: &Expr, found: &mut Vec<Expr>) {
-    if let Expr::Quotient(_, below) = term
-        && !below.free_symbols().is_empty()
-        && !found.contains(below)
-    {
+/// What a term is divided by.
+pub(super) fn collect_divisors(term: &Expr, found: &mut Vec<Expr>) {
+    if let Expr::Quotient(_, below) = term {
         found.push((**below).clone());
     }
     (term.children()).for_each(|child| collect_divisors(child, found));

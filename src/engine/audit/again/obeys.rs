@@ -12,6 +12,7 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
+use super::borrowed::chain_of;
 use super::conditions::collect_waves;
 use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named, without_factors};
 
@@ -519,25 +520,15 @@ fn meant<'a>(
     symbols: &mut Set<Symbol>,
     (of, variable): (&Symbol, &Symbol),
 ) -> Vec<Assumed> {
-    let mut said: Vec<&Assumed> = said
-        .filter(|own| own.standing == Standing::Identity)
-        .collect();
-    let mut found: Vec<Assumed> = Vec::new();
-    loop {
-        let means = |own: &&Assumed| match own.formula.as_equation() {
-            Some((name, value)) => raised(name).is_some_and(|name| {
-                let moves = value.mentions(of) || value.mentions(variable);
-                symbols.contains(name) && name != of && !moves && !value.mentions(name)
-            }),
-            None => false,
-        };
-        let Some(at) = said.iter().position(means) else {
-            return found;
-        };
-        let own = said.remove(at);
-        symbols.extend(own.formula.free_symbols());
-        found.push(own.clone());
-    }
+    let said = said.filter(|own| own.standing == Standing::Identity);
+    let means = |own: &Assumed, symbols: &Set<Symbol>| match own.formula.as_equation() {
+        Some((name, value)) => raised(name).is_some_and(|name| {
+            let moves = value.mentions(of) || value.mentions(variable);
+            symbols.contains(name) && name != of && !moves && !value.mentions(name)
+        }),
+        None => false,
+    };
+    chain_of(&mut said.cloned().collect(), symbols, means)
 }
 
 /// The symbol that something is given of, by itself or as a power: `\omega_0^2 = k/m`.

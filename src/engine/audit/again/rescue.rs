@@ -12,6 +12,7 @@ use crate::sorted::Set;
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY, condition, sources};
 use super::borrowed::speaks_of_all;
+use super::conditions::collect_divisors;
 
 /// What a step that does not follow from what it cites may be tried with.
 pub(in crate::audit) struct Attempt {
@@ -182,9 +183,11 @@ impl Judge<'_> {
         if divisors.is_empty() {
             return None;
         }
-        let conditions = divisors
-            .into_iter()
-            .map(|own| condition(&Formula::nonzero(own)));
+        let factors = divisors.into_iter().flat_map(|own| match own {
+            Expr::Product(factors) => factors.to_vec(),
+            own => vec![own],
+        });
+        let conditions = factors.map(|own| condition(&Formula::nonzero(own)));
         let divided: Vec<Assumed> = cited.iter().cloned().chain(conditions).collect();
         let posed = self.pose(&divided, &goal.formula).ok()?;
         search::prove_posed(&posed, Effort::Light)?;
@@ -325,18 +328,5 @@ impl Judge<'_> {
         // Whether signs can be as they are meant may be hard to see beside what the text tells: `x = A \cos\omega t`.
         let some = stated.len() < near.len();
         follows(near) || some && follows(stated)
-    }
-}
-
-/// What a term is divided by, factor by factor.
-fn collect_divisors(term: &Expr, divisors: &mut Vec<Expr>) {
-    if let Expr::Quotient(_, below) = term {
-        match &**below {
-            Expr::Product(factors) => divisors.extend(factors.iter().cloned()),
-            below => divisors.push(below.clone()),
-        }
-    }
-    for part in term.children() {
-        collect_divisors(part, divisors);
     }
 }

@@ -39,14 +39,14 @@ impl Judge<'_> {
         let (new, named) = self.defined_anew(goal)?;
         let mut assumed = self.cited(goal, &[], premises);
         let mut words = self.said_of_the_place(Side::Before);
-        let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
         let is_old = |own: &Assumed| {
             matches!(own.source, Source::Local(..)) && !self.is_said_just_before(own)
         };
         let says_where = self.names_its_premises()
-            || fresh.clone().next().is_some()
+            || assumed.iter().any(|own| self.is_said_just_before(own))
             || !words.iter().all(is_old);
         words.extend(self.named_before(premises));
+        let fresh = assumed.iter().filter(|own| self.is_said_just_before(own));
         let said: Vec<&Assumed> = words.iter().chain(fresh).collect();
         let set: Vec<Place> = said.iter().copied().filter_map(place).collect();
         // What is a number there is printed as one: `K = (\gamma - 1) m c^2` is not said of $m = 0$.

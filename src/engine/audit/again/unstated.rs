@@ -12,6 +12,7 @@ use crate::sorted::{self, Set};
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, NEARBY, step};
+use super::borrowed::chain_of;
 use super::conditions::{any_part, raised, takes_root, unbounded};
 
 /// So much work is done for one step, as [`effort`] counts it.
@@ -79,15 +80,10 @@ impl Judge<'_> {
         let Some(mut left) = self.with_others(assumed, premises) else {
             return false;
         };
-        let (mut names, mut chain) = (goal.formula.names(), Vec::new());
         let defines = |own: &Assumed, names: &Set<Symbol>| {
             !own.formula.speaks_of_slopes() && names.iter().any(|name| own.is_of(name))
         };
-        while let Some(at) = left.iter().position(|own| defines(own, &names)) {
-            let own = left.remove(at);
-            names.extend(own.formula.names());
-            chain.push(own);
-        }
+        let chain = chain_of(&mut left, &mut goal.formula.names(), defines);
         !chain.is_empty()
             && !left.is_empty()
             && (self.under_conditions(goal, chain.clone(), None, (false, Effort::Full), found)

@@ -6,12 +6,12 @@
 
 use std::cell::OnceCell;
 
-use num_traits::{One, Signed, Zero};
+use num_traits::{Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
 use crate::derivation::{Assumed, Goal, Page, Printed, Source, values_at};
 use crate::kernel::{Refuted, Standing};
-use crate::notation::{Precision, Rounding, has_decimals, has_units, is_figures};
+use crate::notation::{Precision, Rounding, decimal_places, has_decimals, has_units, is_figures};
 
 use crate::search;
 
@@ -432,11 +432,11 @@ fn as_rounded(judged: &Judged, page: &Page) -> Goal {
     };
     let reaches = |least: i64| *value >= BigRational::from_integer(least.into());
     let pi = Symbol::new("\\pi");
+    let mut loosely = near_whole(goal);
     if refuted.witness().algebraic.is_some() && reaches(10) {
-        return near_whole(goal);
+        return loosely;
     }
     // `E I = 333\,\mathrm{N\,m^2}` for 1000/3
-    let loosely = near_whole(goal);
     let is_near = |own: &Rounding| is_rounded(left, value, &own.share, refuted);
     if reaches(100)
         && sides.is_some_and(|(_, right)| has_units(right))
@@ -447,7 +447,6 @@ fn as_rounded(judged: &Judged, page: &Page) -> Goal {
     if !left.mentions(&pi) || page.domains.contains_key(&pi) || !reaches(100) {
         return goal.clone();
     }
-    let mut loosely = loosely;
     if let (None, Some(rounding)) = (&goal.rounding, &mut loosely.rounding) {
         rounding.share *= BigRational::from_integer(2.into());
     }
@@ -460,13 +459,7 @@ fn is_rounded(term: &Expr, number: &BigRational, share: &BigRational, refuted: &
     let Ok(value) = there.value(term) else {
         return false;
     };
-    let mut rest = value.denom().clone();
-    for prime in [2, 5].map(BigInt::from) {
-        while (&rest % &prime).is_zero() {
-            rest /= &prime;
-        }
-    }
-    !rest.is_one() && (value - number).abs() <= share * number
+    decimal_places(&value).is_none() && (value - number).abs() <= share * number
 }
 
 /// A goal whose right side adds up whole numbers of one unit that are long enough to be rounded, `T = 662\,\mathrm{keV} - 184\,\mathrm{keV}`: each is

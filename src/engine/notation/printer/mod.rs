@@ -24,6 +24,18 @@ fn decimal(number: &BigRational) -> Option<String> {
     if number.is_integer() {
         return Some(number.to_string());
     }
+    let places = decimal_places(number)?;
+    let scale = BigInt::from(10).pow(u32::try_from(places).ok()?);
+    let digits = (number * BigRational::from_integer(scale))
+        .to_integer()
+        .to_string();
+    let digits = format!("{digits:0>width$}", width = places + 1);
+    let (whole, decimals) = digits.split_at(digits.len() - places);
+    Some(format!("{whole}.{decimals}"))
+}
+
+/// How many decimals a number has behind its point; none where it is no decimal.
+pub(crate) fn decimal_places(number: &BigRational) -> Option<usize> {
     let (mut twos, mut fives) = (0usize, 0usize);
     let mut rest = number.denom().clone();
     for (prime, count) in [(2, &mut twos), (5, &mut fives)] {
@@ -33,15 +45,5 @@ fn decimal(number: &BigRational) -> Option<String> {
             *count += 1;
         }
     }
-    if rest != BigInt::from(1) {
-        return None;
-    }
-    let places = twos.max(fives);
-    let scale = BigInt::from(10).pow(u32::try_from(places).ok()?);
-    let digits = (number * BigRational::from_integer(scale))
-        .to_integer()
-        .to_string();
-    let digits = format!("{digits:0>width$}", width = places + 1);
-    let (whole, decimals) = digits.split_at(digits.len() - places);
-    Some(format!("{whole}.{decimals}"))
+    (rest == BigInt::from(1)).then(|| twos.max(fives))
 }

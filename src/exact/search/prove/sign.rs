@@ -143,10 +143,10 @@ impl Prover {
         }
         // So may what is positive as a whole.
         if found.is_none() {
-            let divisors = self.positive_divisors(&reduced.polynomial);
+            let (rest, divisors) = self.without_positive_divisors(reduced.polynomial.clone());
             if !divisors.is_empty() {
+                reduced.polynomial = rest;
                 for divisor in divisors {
-                    reduced.polynomial = reduced.polynomial.divided_by(&divisor)?;
                     *reduced.outer.entry(divisor).or_insert(0) += 1;
                 }
                 found = decompose(&reduced.polynomial, strict, &known);
@@ -283,10 +283,10 @@ impl Prover {
             .fold(Monomial::one(), |all, power| all.times(&power))
     }
 
-    /// What is known to be positive as a whole and divides a polynomial, `q - r` of `(q - r) (\beta (q - r) - (q - p))`, as often as it does.
-    fn positive_divisors(&self, polynomial: &Polynomial) -> Vec<Polynomial> {
-        let mut found = Vec::new();
-        let mut rest = polynomial.clone();
+    /// A polynomial without what is known to be positive as a whole and divides it, `q - r` of `(q - r) (\beta (q - r) - (q - p))`; and that, as
+    /// often as it does.
+    fn without_positive_divisors(&self, polynomial: Polynomial) -> (Polynomial, Vec<Polynomial>) {
+        let (mut rest, mut found) = (polynomial, Vec::new());
         for fact in self.facts.iter().filter(|own| own.sign == Sign::Positive) {
             let divisor = &fact.polynomial;
             while divisor.len() > 1
@@ -297,7 +297,7 @@ impl Prover {
                 found.push(divisor.clone());
             }
         }
-        found
+        (rest, found)
     }
 
     /// The powers that divide every term and are known not to be negative.
@@ -376,10 +376,8 @@ impl Prover {
             polynomial = polynomial.divided_by(&content).unwrap_or_default();
             multiplier.push((content, 1));
         }
-        for divisor in self.positive_divisors(&polynomial) {
-            polynomial = polynomial.divided_by(&divisor).unwrap_or_default();
-            multiplier.push((divisor, 1));
-        }
+        let (polynomial, divisors) = self.without_positive_divisors(polynomial);
+        multiplier.extend(divisors.into_iter().map(|divisor| (divisor, 1)));
         // What says that 1 > 0 is of no use; what says that 0 > 0 is of great use.
         let idle = |c: Rational| c.is_positive() || c.is_zero() && fact.sign == Sign::NonNegative;
         if polynomial == fact.polynomial || polynomial.as_constant().is_some_and(idle) {
