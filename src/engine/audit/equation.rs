@@ -16,6 +16,8 @@ use super::{
 
 /// So many displays of moments that are left may stand between a step and what it goes on from.
 const MOST_MOMENTARY: usize = 8;
+/// So much work is done for what another reading comes to, in units of [`effort`]: hardly a verdict takes a tenth of it.
+const MOST_WORK_AGAIN: u64 = 1_000_000;
 /// So many statements of one display are judged: each may use all before it.
 const MOST_STATEMENTS: usize = 256;
 /// So many statements after one are looked at for what its symbols mean.
@@ -276,7 +278,9 @@ impl Auditor<'_> {
     }
 
     fn note_other_reading(&self, statement: &Statement, entry: &mut Entry, how: &Circumstances) {
-        let other = effort::within(MOST_WORK, || self.other_reading(statement, entry, how));
+        let other = effort::within(MOST_WORK_AGAIN, || {
+            self.other_reading(statement, entry, how)
+        });
         entry.notes.extend(other);
     }
 

@@ -369,7 +369,37 @@ pub fn usable<'a>(
         usable.has_presumed = usable.assumed.len() < all;
     }
     leave_what_is_beyond(page, &mut usable);
+    arrive_past_integrals(&mut usable.assumed);
     usable
+}
+
+/// Where a chain says by an integral what a symbol is, `V = \int_0^R f \, ds = w`, and what that comes to, says the second of the symbol: `V = w`
+/// in place of `V = \int_0^R f \, ds`, which says the same beside the rest of the chain, and can be differentiated.
+fn arrive_past_integrals(assumed: &mut [Assumed]) {
+    let has_integral = |term: &Expr| term.any(&|part| matches!(part, Expr::Integral { .. }));
+    for at in 0..assumed.len() {
+        let Some((Expr::Symbol(name), mut end)) = assumed[at].formula.as_equation() else {
+            continue;
+        };
+        let first = &assumed[at];
+        let mut rest = assumed[at + 1..].iter();
+        while has_integral(end)
+            && let Some(next) = rest.next()
+            && let Some((left, right)) = next.formula.as_equation()
+            && (next.source, next.standing) == (first.source, first.standing)
+            && left == end
+        {
+            end = right;
+        }
+        let is_reached = assumed[at]
+            .formula
+            .as_equation()
+            .is_some_and(|own| own.1 != end);
+        if is_reached && !has_integral(end) && !end.mentions(name) {
+            let whole = Formula::equal(Expr::Symbol(name.clone()), end.clone());
+            assumed[at].formula = whole.into();
+        }
+    }
 }
 
 /// Leaves out what speaks of complex numbers or small changes. Where a chain goes through complex members from a real one to a real one,

@@ -12,7 +12,7 @@ use crate::kernel::{
 use crate::sorted::Set;
 
 /// So much work is done for one attempt, as [`effort`] counts it: hardly a proof takes a tenth of it.
-const MOST_WORK: u64 = 500_000;
+const MOST_WORK: u64 = 200_000;
 /// How often conditions may show what else must be so.
 const MOST_ROUNDS: usize = 3;
 
@@ -26,20 +26,27 @@ pub struct Derived {
     pub combined: Set<usize>,
 }
 
-/// A proof of the claim, or of the claim under conditions that are nowhere stated.
+/// A proof of the claim, or of the claim under conditions that are nowhere stated. The prover is kept for who tries again with more effort.
 ///
 /// # Errors
 /// The kernel cannot even say what the claim means in polynomials.
 pub(super) fn prove(
     obligation: &Obligation,
     effort: Effort,
+    prover: &mut Option<Prover>,
 ) -> Result<Option<(Derived, Vec<Formula>)>, Reject> {
     let mut conditions: Vec<Formula> = Vec::new();
     let mut under = None;
     for _ in 0..MOST_ROUNDS {
+        let attempted = match &under {
+            None => attempt_by(prover, obligation, effort),
+            Some(posed) => attempt(posed, effort),
+        };
         let posed = under.as_ref().unwrap_or(obligation);
-        let mut needs = match attempt(posed, effort)? {
+        let mut needs = match attempted? {
             Attempt::Proof(certificate) => {
+                // Its lemmas are in the certificate.
+                *prover = None;
                 return Ok(derived(posed, certificate).map(|derived| (derived, conditions)));
             }
             Attempt::Needs(needs) => needs,
@@ -64,12 +71,24 @@ pub(super) enum Attempt {
 }
 
 fn attempt(obligation: &Obligation, effort: Effort) -> Result<Attempt, Reject> {
+    attempt_by(&mut None, obligation, effort)
+}
+
+/// The same by a prover that has tried the obligation before, if there is one.
+fn attempt_by(
+    kept: &mut Option<Prover>,
+    obligation: &Obligation,
+    effort: Effort,
+) -> Result<Attempt, Reject> {
     let problem = obligation.problem();
     if effort == Effort::Light && is_beyond_elimination(problem) {
         return Ok(Attempt::Nothing);
     }
     let attempt = || {
-        let prover = Prover::new(problem)?;
+        let prover = match kept {
+            Some(prover) => prover,
+            None => kept.insert(Prover::new(problem)?),
+        };
         Ok::<_, Reject>(attempt_with(prover, obligation, problem, effort))
     };
     let found = effort::with_at_most(MOST_WORK, attempt)?;
@@ -90,23 +109,26 @@ fn is_beyond_elimination(problem: &Problem) -> bool {
     }
 }
 
-/// The goal proved from the facts of `problem`: those of the obligation, or more.
+/// The goal proved from the facts of `problem`: those of the obligation, or more. What was not found with little effort may be looked for
+/// with more by the same prover.
 pub(super) fn attempt_with(
-    mut prover: Prover,
+    prover: &mut Prover,
     obligation: &Obligation,
     problem: &Problem,
     effort: Effort,
 ) -> Attempt {
+    let conditions = &problem.conditions;
+    if !conditions.doubtful.is_empty() {
+        return Attempt::Nothing;
+    }
     if effort == Effort::Full && prover.learn_powers(problem).is_err() {
         return Attempt::Nothing;
     }
     let conclusion = prover.prove(&problem.goal, effort);
-    let Some(conclusion) = conclusion.or_else(|| in_logarithms(&mut prover, problem, effort))
-    else {
+    let Some(conclusion) = conclusion.or_else(|| in_logarithms(prover, problem, effort)) else {
         return Attempt::Nothing;
     };
     let mut needs = Vec::new();
-    let conditions = &problem.conditions;
     let nonzero = conditions.divisors().map(|p| (p, Sign::NonZero));
     let nonnegative = conditions
         .nonnegative
@@ -135,9 +157,6 @@ pub(super) fn attempt_with(
             }
         }
     }
-    if !conditions.doubtful.is_empty() {
-        return Attempt::Nothing;
-    }
     for change in &problem.conditions.zero {
         if !problem.vanishes_throughout(change) {
             let term = expr_of(change, &problem.atoms);
@@ -150,7 +169,7 @@ pub(super) fn attempt_with(
     Attempt::Proof(Certificate {
         unfold: obligation.unfold().to_vec(),
         rates: Vec::new(),
-        lemmas: prover.into_lemmas(),
+        lemmas: prover.take_lemmas(),
         conclusion,
     })
 }
@@ -173,8 +192,8 @@ pub fn may_do_without(obligation: &Obligation, hypothesis: usize) -> bool {
     obligation.unfold().contains(&hypothesis)
         || !is_beyond_elimination(problem)
             && !leaves_a_term(problem, silenced)
-            && Prover::without(problem, silenced).is_ok_and(|prover| {
-                let attempt = attempt_with(prover, obligation, problem, Effort::Light);
+            && Prover::without(problem, silenced).is_ok_and(|mut prover| {
+                let attempt = attempt_with(&mut prover, obligation, problem, Effort::Light);
                 matches!(attempt, Attempt::Proof(_))
             })
 }

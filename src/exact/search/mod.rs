@@ -135,14 +135,14 @@ pub fn decide_within(
     } else {
         QUICK
     };
-    let mut known = None;
+    let (mut known, mut prover) = (None, None);
     let mut points = None;
     let quick = most.map_or(quick, |most| quick.min(most));
     let earnest = most.map_or(EARNEST, |most| most - quick);
     for (effort, budget) in [(Effort::Light, quick), (Effort::Full, earnest)] {
         // Where a counterexample is known, only a simpler one is worth looking for.
         if known.is_none() {
-            match prove(obligation, effort) {
+            match prove(obligation, effort, &mut prover) {
                 Ok(Some((derived, conditions))) => {
                     return Decision::Proven {
                         derived,

@@ -145,8 +145,8 @@ impl Prover {
         Ok(())
     }
 
-    pub fn into_lemmas(self) -> Vec<Lemma> {
-        self.lemmas
+    pub fn take_lemmas(&mut self) -> Vec<Lemma> {
+        std::mem::take(&mut self.lemmas)
     }
 
     pub fn knows_nonzero(&self, polynomial: &Polynomial) -> bool {

@@ -156,12 +156,10 @@ fn attempt_from(
     obligation: &Obligation,
     (problem, rates): (Problem, Vec<Rate>),
 ) -> Option<Attempt> {
-    let proved = |effort| {
-        let prover = Prover::new(&problem).ok()?;
-        match attempt_with(prover, obligation, &problem, effort) {
-            Attempt::Nothing => None,
-            found => Some(found),
-        }
+    let mut prover = Prover::new(&problem).ok()?;
+    let mut proved = |effort| match attempt_with(&mut prover, obligation, &problem, effort) {
+        Attempt::Nothing => None,
+        found => Some(found),
     };
     let found = proved(Effort::Light).or_else(|| proved(Effort::Full))?;
     // What holds at one value of the variable alone, be it meant as a law or not, contradicts its own slope.

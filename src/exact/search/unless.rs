@@ -51,7 +51,7 @@ pub fn missing_conditions(
         matches!(possible, Consistency::Model(_))
     };
     let proved = |formulas: &[Formula]| {
-        attempt::prove(&pose(assuming(claim, formulas)).ok()?, effort).ok()?
+        attempt::prove(&pose(assuming(claim, formulas)).ok()?, effort, &mut None).ok()?
     };
     let with = |terms: &[Expr]| {
         let formulas: Vec<Formula> = terms.iter().cloned().map(Formula::nonzero).collect();

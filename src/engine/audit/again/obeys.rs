@@ -236,12 +236,13 @@ impl Judge<'_> {
         if self.is_of_another_law() {
             return None;
         }
+        // What stands before is gathered only for what may be a solution.
+        let variable = self.variable_between(&left, &right)?;
         let near = &self.others(premises)[0];
         let laws = || self.usable.assumed.iter().chain(near).chain(beside);
         let mut moved = standing_in_slopes(laws().map(|own| &*own.formula));
         moved.retain(|own| left.mentions(own) && !right.mentions(own));
         let of = moved.pop_first().filter(|_| moved.is_empty())?;
-        let variable = self.variable_between(&left, &right)?;
         let (left, right) = without_factors(&left, &right, &of).unwrap_or((left, right));
         let solution = Formula::equal(left, right.clone());
         let is_law = |own: &&Assumed| {

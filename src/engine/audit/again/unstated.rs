@@ -16,7 +16,7 @@ use super::borrowed::chain_of;
 use super::conditions::{any_part, raised, takes_root, unbounded};
 
 /// So much work is done for one step, as [`effort`] counts it.
-const MOST_WORK: u64 = 4_000_000;
+const MOST_WORK: u64 = 500_000;
 
 impl Judge<'_> {
     /// Whether a step that was not proved follows, from what it cites or from what stands before, where symbols that could be anything
