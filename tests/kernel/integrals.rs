@@ -1,6 +1,7 @@
 //! Integrals by antiderivatives: what is right is proved, what is wrong is not, and nothing is integrated across a pole.
 
 use cradle_verify::kernel::{Claim, Reject};
+use cradle_verify::search::{Effort, prove_unconditionally};
 
 use super::claims::*;
 
@@ -427,4 +428,56 @@ fn areas_beside_a_pole_at_nought() {
         r"\int_{-8}^0 \frac{1}{x^2} \, dx = -\frac{1}{8}",
         r"\int_{-1}^1 \frac{1}{x^2} \, dx = -2",
     ]);
+}
+
+/// Whether a goal is proved, with what roots are.
+fn follows(goal: &str) -> bool {
+    prove_unconditionally(declared(goal), Effort::Full).is_some()
+}
+
+#[test]
+fn odd_powers_beside_a_square_are_integrated() {
+    for (right, wrong) in [
+        (
+            r"\int_0^a \frac{x}{\sqrt{x^2 + b^2}} \, dx = \sqrt{a^2 + b^2} - b",
+            r"\int_0^a \frac{x}{\sqrt{x^2 + b^2}} \, dx = \sqrt{a^2 + b^2} + b",
+        ),
+        (
+            r"\int_0^a \frac{c x}{(b^2 + x^2)^{3/2}} \, dx = c \left(\frac{1}{b} - \frac{1}{\sqrt{a^2 + b^2}}\right)",
+            r"\int_0^a \frac{c x}{(b^2 + x^2)^{3/2}} \, dx = c \left(\frac{1}{\sqrt{a^2 + b^2}} - \frac{1}{b}\right)",
+        ),
+        (
+            r"\int_0^a \frac{x^3}{\sqrt{b^2 + k x^2}} \, dx = \frac{(b^2 + k a^2)^{3/2} - b^3}{3 k^2} - \frac{b^2}{k^2} (\sqrt{b^2 + k a^2} - b)",
+            r"\int_0^a \frac{x^3}{\sqrt{b^2 + k x^2}} \, dx = \frac{(b^2 + k a^2)^{3/2} - b^3}{3 k^2} + \frac{b^2}{k^2} (\sqrt{b^2 + k a^2} - b)",
+        ),
+        (
+            r"\int_0^a x \sqrt{b^2 + x^2} \, dx = \frac{(b^2 + a^2)^{3/2} - b^3}{3}",
+            r"\int_0^a x \sqrt{b^2 + x^2} \, dx = \frac{(b^2 + a^2)^{3/2} - b^3}{2}",
+        ),
+        (
+            r"\int_0^a \frac{x}{b^2 + x^2} \, dx = \frac{1}{2} \ln \frac{a^2 + b^2}{b^2}",
+            r"\int_0^a \frac{x}{b^2 + x^2} \, dx = \ln \frac{a^2 + b^2}{b^2}",
+        ),
+        (
+            r"\int_0^a \frac{x}{(b^2 + x^2)^2} \, dx = \frac{1}{2 b^2} - \frac{1}{2 (a^2 + b^2)}",
+            r"\int_0^a \frac{x}{(b^2 + x^2)^2} \, dx = \frac{1}{b^2} - \frac{1}{a^2 + b^2}",
+        ),
+    ] {
+        assert!(follows(right), "{right}");
+        assert!(!follows(wrong), "{wrong}");
+    }
+}
+
+/// Where the square vanishes between the limits, or may, there is no such integral; nor where what moves with it asks for more.
+#[test]
+fn no_square_is_integrated_where_it_may_vanish() {
+    for none in [
+        r"\int_0^2 \frac{x}{(1 - x^2)^2} \, dx = -\frac{2}{3}",
+        r"\int_{-2}^2 \frac{x}{x^2 - 1} \, dx = 0",
+        r"\int_0^1 \frac{x}{\sqrt{1 - x^2}} \, dx = 1",
+        r"\int_0^a \frac{x}{(b - x^2)^2} \, dx = \frac{1}{2 (b - a^2)} - \frac{1}{2 b}",
+        r"\int_0^a \frac{x}{\sqrt{b^2 + x^2} \ln x} \, dx = 0",
+    ] {
+        assert!(!follows(none), "{none}");
+    }
 }

@@ -9,11 +9,14 @@
 //! | x^n f with f' = k x^m f, as of exp(-x) and exp(-x²) | by parts, l times | k ≠ 0, n = m + l (m + 1) |
 //! | x^n f with f'' = k f + c, as sin and sin² are | by parts, two at a time | k ≠ 0 |
 //! | f g with g' = k f | g²/(2 k) | k ≠ 0 |
+//! | x^(2 n + 1) u^r with u = a + b x² | by powers of u | b ≠ 0; u is positive at both limits and at 0 |
+//! | u^(-3/2) | x/(a u^(1/2)) | u is positive at both limits and at 0 |
 //!
 //! What is linear does not vanish between two places if, and only if, its values there have one sign: their product is positive.
 
 mod antiderivative;
 mod partial_fractions;
+mod square;
 
 use num_traits::ToPrimitive;
 
@@ -84,7 +87,10 @@ impl Lowering<'_> {
         };
         let found = match within.exists(&value, &inner, &range)? {
             true => within.integrated(&value, &range)?,
-            false => None,
+            false => {
+                within.conditions = Conditions::default();
+                within.over_square(&value, &inner, &range)?
+            }
         };
         let Some(found) = found else {
             return Ok(self.atom(Atom::Opaque(whole.clone())));
