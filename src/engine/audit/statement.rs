@@ -219,14 +219,20 @@ impl Auditor<'_> {
             return Some(found);
         }
         if how.defines
-            && let Some(found) = judge.as_no_solution(goal, how.premises, None)
+            && let Some(found) = judge
+                .as_no_solution(goal, how.premises, None)
+                .or_else(|| judge.as_no_root(goal, how.premises))
         {
             links.contradicted = true;
             return Some(found);
         }
         let there = judge.as_value_there(goal, how.premises, how.defines);
         let solved = || judge.as_solved(goal, how.premises);
-        match there.or_else(|| how.defines.then(solved).flatten()) {
+        let worded = || judge.as_term_in_words(goal, how.premises);
+        let there = there
+            .or_else(|| how.defines.then(solved).flatten())
+            .or_else(|| how.defines.then(worded).flatten());
+        match there {
             Some(There::Solved(found)) => Some(*found),
             Some(There::Refuted(found)) => {
                 links.contradicted = true;

@@ -4,16 +4,17 @@
 //! of both in two ways, where a sum or a limit goes over the argument, nor where it is another elsewhere: `f(s)` beside `f(t)`.
 //!
 //! The value at a number, `y(0)` or `y(\pi)`, is that of what depends on one symbol throughout; `\dot{y}(0)` is that of its slope. So is the value at what
-//! names a special value of the argument, `y(t_1)`, where the argument is left out elsewhere, or a law says by what it is differentiated.
+//! names a special value of the argument, `y(t_1)`, or is composed of such, `y(L/2)`, where the argument is left out elsewhere, or a law says by what it is differentiated.
 
 use std::collections::BTreeSet;
 
 use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
+use crate::notation::{is_composed_place, names_a_place};
 use crate::sorted::{Set, Tree};
 
 use super::Equation;
 use super::equation::{all_terms, conditions, formulas, map_terms};
-use super::names::{self, names_a_place};
+use super::names;
 use super::page::Page;
 use super::slopes::base;
 
@@ -157,6 +158,8 @@ fn see<'a>(term: &'a Expr, bound: &mut Vec<&'a Symbol>, own: &mut Tree<Symbol, S
             let known = own.entry(name.clone()).or_default();
             match &arguments[..] {
                 [place] if is_number(place) => known.valued = true,
+                // Of what nobody leaves the argument out that is an argument like any other.
+                [place] if is_composed_place(place) => {}
                 [Expr::Symbol(argument)] if !bound.contains(&argument) => {
                     known.arguments.insert(argument.clone());
                 }
@@ -218,6 +221,7 @@ fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
         (Expr::Symbol(place), Some((argument, true))) => {
             place != argument && (place.is_variant_of(argument) || names_a_place(place))
         }
+        (place, Some((_, true))) if is_composed_place(place) => true,
         (place, _) => is_number(place),
     };
     match &arguments[..] {

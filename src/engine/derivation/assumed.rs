@@ -114,7 +114,17 @@ impl Derivation {
             true => Vec::new(),
             false => equation.statements().iter().flat_map(formulas).collect(),
         };
-        told.retain(|own| !stated.contains(&own.formula));
+        // What was told before the display before is what a chain begins with: `i = C \frac{dv}{dt} = …`
+        let before = self
+            .before_display(at)
+            .filter(|_| stated.len() > 1)
+            .map(|before| self.equations[before].span.start);
+        told.retain(|own| match own.source {
+            Source::Local(page, local) if before.is_some() => {
+                before > Some(self.local(page, local).span.start) || !stated.contains(&own.formula)
+            }
+            _ => !stated.contains(&own.formula),
+        });
         told
     }
 

@@ -78,7 +78,7 @@ impl Called {
                 continue;
             }
             let own = |words: &[&str]| ends_with(before, words) || are(after, words);
-            let symbols = || names.iter().filter_map(|name| symbol(source, name.body));
+            let symbols = || names.iter().flat_map(|name| symbols(source, name.body));
             // "and $Q$, $Q'$ those of the electron"
             let mut spoken = after.split_whitespace();
             let those = spoken.next() == Some("those") && !self.vectors.is_empty();
@@ -92,8 +92,11 @@ impl Called {
     }
 }
 
-fn symbol(source: &str, body: Span) -> Option<Symbol> {
-    read_symbol(source.get(body.range())?).ok()
+/// The symbols of a piece of mathematics that is nothing but names: `k, k'`.
+fn symbols(source: &str, body: Span) -> Vec<Symbol> {
+    let names = source.get(body.range()).unwrap_or_default().split(',');
+    let read: Option<Vec<Symbol>> = names.map(|name| read_symbol(name.trim()).ok()).collect();
+    read.unwrap_or_default()
 }
 
 /// Whether the last word of what stands before names is one of these.

@@ -44,6 +44,7 @@ fn settle_page(
     let told = page.locals.iter().flat_map(|own| &own.formulas);
     let mut applied = Formula::applied_in(told.flat_map(|own| own.terms()));
     let mut of_display = page.locals.iter().filter(|own| own.of_display).peekable();
+    let mut case: Option<Symbol> = None;
     for equation in equations {
         // A condition speaks of what it names, be the display of that place or not: "With $w = w_0$ at $x = 0$ the solution is".
         while let Some(own) = of_display.next_if(|own| own.span.end <= equation.span.start) {
@@ -55,7 +56,10 @@ fn settle_page(
         seen.extend(supposed.flat_map(|formula| formula.names()));
         let mut defines = std::mem::take(&mut equation.defines);
         let mut introduces = Set::new();
-        let mut case: Option<Symbol> = None;
+        // So do those in rows of their own.
+        if equation.row == 0 {
+            case = None;
+        }
         let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
@@ -300,7 +304,7 @@ fn defined_symbol(
         Expr::Symbol(symbol) => symbol,
         // `B(z) = f(z - d) + f(z + d)`
         Expr::Apply(function, arguments)
-            if !applied.contains(function)
+            if (!applied.contains(function) || case == Some(function))
                 && arguments.iter().all(|own| matches!(own, Expr::Symbol(_))) =>
         {
             function

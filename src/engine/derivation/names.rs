@@ -3,11 +3,11 @@
 
 use std::collections::BTreeSet;
 
-use crate::algebra::{Expr, Formula, Symbol, split_subscript};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Inline, Span};
 use crate::notation::{
     Before, BeforeKind, Clause, Statement, SyntaxError, has_units, is_degrees, is_figures,
-    read_expr, read_symbol,
+    names_a_place, read_expr, read_symbol,
 };
 
 use super::called::Called;
@@ -28,13 +28,6 @@ pub(super) fn undotted(name: &Symbol) -> Option<Symbol> {
 pub(crate) fn without_dots(name: &Symbol) -> Option<(Symbol, u8)> {
     let mut dots = DOTS.iter().zip(1..);
     dots.find_map(|(accent, count)| Some((below(name, accent)?, count)))
-}
-
-/// Whether a symbol in parentheses rather names a place than what varies: `w(L)`, `v(t_0)`, `f(a)`.
-pub(super) fn names_a_place(symbol: &Symbol) -> bool {
-    let name = symbol.name();
-    let is_large = name.starts_with(|first: char| first.is_ascii_uppercase());
-    is_large || split_subscript(name).is_some() || matches!(name, "a" | "b" | "\\ell")
 }
 
 /// A name with a dot, or with two: `\dot{x}_1` of `x_1`.
@@ -160,6 +153,27 @@ pub(super) fn in_question(equations: &[Equation], spoken_of: &Set<Symbol>) -> BT
     }
     defined.retain(|own| !spoken_of.contains(own));
     defined
+}
+
+/// The functions of one symbol that displays of a page define, which may be applied elsewhere to what is read as a factor: `v(L/2)` beside
+/// `v(x)`, though the page has `v` by itself, too.
+pub(super) fn with_values(equations: &[Equation]) -> BTreeSet<Symbol> {
+    let statements = || equations.iter().flat_map(|equation| equation.statements());
+    let before = statements().flat_map(|statement| &statement.before);
+    let factors = before.filter(|before| before.kind == BeforeKind::Factor);
+    let mut found: BTreeSet<Symbol> = factors.map(|before| before.name.clone()).collect();
+    let is_defined = |name: &Symbol| {
+        let mut said = statements().flat_map(formulas);
+        said.any(|own| match own.as_equation() {
+            Some((Expr::Apply(function, arguments), value)) => {
+                let moves = |own: &Expr| matches!(own, Expr::Symbol(own) if value.mentions(own));
+                function == name && matches!(&arguments[..], [only] if moves(only))
+            }
+            _ => false,
+        })
+    };
+    found.retain(is_defined);
+    found
 }
 
 /// Which of these a page has as quantities, too: what stands in parentheses after them may be a factor.

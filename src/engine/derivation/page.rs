@@ -142,7 +142,10 @@ pub(super) fn read_page(
         given: BTreeSet::new(),
         clashes: Vec::new(),
         approaches: approach::told(&document),
-        context: Context::default(),
+        context: Context {
+            has_concentrations: speaks_of_concentrations(&document.source),
+            ..Context::default()
+        },
         tabulated: tabulated(&document),
         document,
         beside,
@@ -187,6 +190,11 @@ pub(super) fn read_page(
     let spoken_of: Set<Symbol> = alone.collect();
     unread.context.run = sums::run_through(&equations);
     if unread.context.run.is_some() {
+        page = unread.clone();
+        (equations, derived) = read_items(&mut page, number, &items);
+    }
+    unread.context.valued = names::with_values(&equations);
+    if !unread.context.valued.is_empty() {
         page = unread.clone();
         (equations, derived) = read_items(&mut page, number, &items);
     }
@@ -290,6 +298,20 @@ fn speaks_of_means(source: &str) -> bool {
     const MEANS: [&str; 4] = ["mean", "means", "average", "averages"];
     let mut words = source.split(|c: char| !c.is_alphabetic());
     words.any(|word| MEANS.contains(&word))
+}
+
+/// Whether words of a text speak of concentrations, which are written with brackets.
+fn speaks_of_concentrations(source: &str) -> bool {
+    const WORDS: [&str; 6] = [
+        "concentration",
+        "concentrations",
+        "enzyme",
+        "reactant",
+        "reactants",
+        "ligand",
+    ];
+    let mut words = source.split(|c: char| !c.is_alphabetic());
+    words.any(|word| WORDS.contains(&word))
 }
 
 /// Whether a directive says of an equation that it is given, or what it follows from.

@@ -4,10 +4,10 @@
 //! together with it and then taken apart again: the second says `b = c`, and goes on with the first. A row without a number
 //! belongs to the next that has one.
 
-use crate::algebra::Formula;
+use crate::algebra::{Expr, Formula, Relation};
 use crate::document::{Item, Layout, Row, Span};
 use crate::notation::{
-    Clause, Connective, Context, Display, Other, Statement, SyntaxError, Unit, read_on_page,
+    Clause, Connective, Context, Display, Link, Other, Statement, SyntaxError, Unit, read_on_page,
     read_rows,
 };
 use crate::parallel::{in_order, threads};
@@ -67,12 +67,15 @@ pub(super) fn read(
     context: &Context,
 ) -> Vec<Part> {
     let Some(layout) = layout else {
-        return vec![plain(read_on_page(source, body, false, context), body)];
+        let mut parts = vec![plain(read_on_page(source, body, false, context), body)];
+        say_by_pieces(&mut parts);
+        return parts;
     };
     let mut parts = of_layout(source, body, layout, context);
     for part in &mut parts {
         part.continues = part.continues.min(LONGEST_CHAIN);
     }
+    say_by_pieces(&mut parts);
     if let Some((number, keys)) = &layout.group {
         let keys = keys.iter().map(|key| format!("{{{key}}}"));
         let number = (!number.is_empty()).then(|| format!("({number})"));
@@ -131,6 +134,55 @@ fn of_layout(source: &str, body: Span, layout: &Layout, context: &Context) -> Ve
         }
     }
     parts
+}
+
+/// What a display says several times of one side, each time of another range, is said under these: `f = a, \qquad x < 0` above
+/// `f = b, \qquad 0 < x < l`.
+fn say_by_pieces(parts: &mut [Part]) {
+    let side = |statement: &Statement| match &statement.clauses[..] {
+        [Clause::Chain { sides, links }] if links[0].relation == Relation::Equal => {
+            Some(sides[0].expr.clone())
+        }
+        _ => None,
+    };
+    let orders = |own: &Link| {
+        use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};
+        matches!(own.relation, Less | LessOrEqual | Greater | GreaterOrEqual)
+    };
+    // The bare symbol that is bounded.
+    let is_range = |statement: &Statement, of: &Expr| match &statement.clauses[..] {
+        [Clause::Chain { sides, links }] if links.iter().all(orders) => {
+            let middle = &sides[usize::from(sides.len() == 3)].expr;
+            matches!(middle, Expr::Symbol(_)) && sides.len() <= 3 && middle != of
+        }
+        _ => false,
+    };
+    let mut found: Vec<(usize, usize, Expr)> = Vec::new();
+    for (at, part) in parts.iter().enumerate() {
+        for (first, pair) in part
+            .statements
+            .iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .windows(2)
+            .enumerate()
+        {
+            if let Some(own) = side(pair[0]).filter(|own| is_range(pair[1], own)) {
+                found.push((at, first, own));
+            }
+        }
+    }
+    let several = |of: &Expr| found.iter().filter(|own| own.2 == *of).count() > 1;
+    let pieces: Vec<(usize, usize)> = (found.iter().rev())
+        .filter(|own| several(&own.2))
+        .map(|own| (own.0, own.1))
+        .collect();
+    for (at, first) in pieces {
+        if let Ok(statements) = &mut parts[at].statements {
+            let range = statements.remove(first + 1);
+            statements[first].under.extend(range.clauses);
+        }
+    }
 }
 
 fn keys(rows: &[Row]) -> Vec<String> {

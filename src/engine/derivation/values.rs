@@ -8,10 +8,10 @@ use crate::notation::{Statement, read_formulas};
 
 use super::Derivation;
 use super::equation::{Goal, formulas, goals};
-use super::names::names_a_place;
 use super::page::Page;
 use super::slopes::base;
 use super::supposed::is_number as is_number_or_unit;
+use crate::notation::names_a_place;
 
 /// More pieces of mathematics in the text than this are not looked through.
 const MOST_SAID: usize = 500;

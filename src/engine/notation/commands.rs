@@ -90,6 +90,11 @@ pub(super) const SUBSCRIPTS: &[(&str, &str)] = &[
     ("perp", "⊥"),
     ("odot", "⊙"),
     ("oplus", "⊕"),
+    ("times", "×"),
+    ("uparrow", "↑"),
+    ("downarrow", "↓"),
+    ("leftarrow", "←"),
+    ("rightarrow", "→"),
 ];
 
 /// Commands that only move ink about, besides those that leave space. They mean nothing, so ignoring them misreads nothing.

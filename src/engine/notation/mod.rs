@@ -20,6 +20,7 @@ mod figures;
 mod fold;
 mod lexer;
 mod parser;
+mod places;
 mod printer;
 mod read;
 mod shorthand;
@@ -35,6 +36,7 @@ pub(crate) use figures::{
 };
 pub use lexer::is_constant_word;
 pub(crate) use parser::{angle_of, argument_of, with_subscript};
+pub(crate) use places::{is_composed_place, names_a_place};
 pub(crate) use printer::decimal_places;
 pub use printer::{
     escape, escape_by, latex, latex_formula, latex_statement, mathml, mathml_formula,

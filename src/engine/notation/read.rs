@@ -16,8 +16,12 @@ use crate::document::Span;
 pub struct Context {
     /// The names that it has as functions: what stands in parentheses after them is an argument, `f(x + 1)`.
     pub applied: BTreeSet<Symbol>,
+    /// The names that it has as functions and without an argument, too: what is applied to a place is an argument, `v(L/2)`.
+    pub valued: BTreeSet<Symbol>,
     /// Through what its sums run, where all of those that say it run through the same.
     pub run: Option<Through>,
+    /// Whether it speaks of concentrations: then brackets around letters are one of them, in italics too, `[E S]`.
+    pub has_concentrations: bool,
 }
 
 /// What sums run through: `i` from 1 to `n`.

@@ -15,8 +15,12 @@ const MOST_PUT_IN: usize = 8;
 /// Refutes a relation where logarithms are spoken of: the opposite is proved, and a point is found at which the hypotheses are true.
 pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<Decision> {
     let is_logarithm = |part: &Expr| matches!(part, Expr::Call(Function::Ln, _));
+    // `\sqrt{\frac{1}{12} - \frac{1}{2 \pi^2}}`
+    let is_of_pi = |part: &Expr| {
+        part.is_root() && part.any(&|own| matches!(own, Expr::Symbol(own) if own.name() == "\\pi"))
+    };
     let mut terms = obligation.claim().formulas().flat_map(Formula::terms);
-    let is_written = terms.any(|term| term.any(&is_logarithm));
+    let is_written = terms.any(|term| term.any(&|part| is_logarithm(part) || is_of_pi(part)));
     // Of exponentials logarithms are taken.
     let mut atoms = obligation.problem().atoms.iter();
     if !is_written && !atoms.any(|(_, atom)| matches!(atom, Atom::Opaque(own) if is_logarithm(own)))
@@ -25,16 +29,17 @@ pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<De
     }
     let mut claim = obligation.claim().clone();
     claim.goal = claim.goal.denied()?;
-    let Some(opposite) = prove_unconditionally(claim.clone(), Effort::Full) else {
-        let found = is_written.then(|| at_numbers(obligation, &claim)).flatten();
-        return found.map(Decision::Refuted);
+    let throughout = || {
+        let opposite = prove_unconditionally(claim.clone(), Effort::Full)?;
+        let premises = Obligation::of_premises(claim.clone(), obligation.unfold().to_vec()).ok()?;
+        let Consistency::Model(model) = consistency_posed(&premises, hints) else {
+            return None;
+        };
+        let refuted = obligation.refuted_by_opposite(&opposite.proven, model.point().clone());
+        refuted.ok()
     };
-    let premises = Obligation::of_premises(claim, obligation.unfold().to_vec()).ok()?;
-    let Consistency::Model(model) = consistency_posed(&premises, hints) else {
-        return None;
-    };
-    let refuted = obligation.refuted_by_opposite(&opposite.proven, model.point().clone());
-    refuted.ok().map(Decision::Refuted)
+    let somewhere = || is_written.then(|| at_numbers(obligation, &claim)).flatten();
+    throughout().or_else(somewhere).map(Decision::Refuted)
 }
 
 /// Refutes a relation by its opposite where all symbols are numbers but those that the hypotheses define by others.

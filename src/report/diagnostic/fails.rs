@@ -29,7 +29,7 @@ impl Report<'_> {
         let (left, right) = judged.goal.sides;
         let mut context = Vec::new();
         let primary = match &sides {
-            Some((a, b)) if left != right => {
+            Some((a, b)) if left != right && judged.solution().is_none() => {
                 context.push((left, format!("is {a} at the point below")));
                 (right, format!("is {b}"))
             }

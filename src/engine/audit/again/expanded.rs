@@ -270,7 +270,7 @@ impl Judge<'_> {
     fn is_spoken_out(&self, written: &Written, approach: &Approach, all: &[&Assumed]) -> bool {
         let Written { left, right, used } = written;
         let known = right.free_symbols();
-        let own = left.free_symbols();
+        let own = left_when_cancelled(left).unwrap_or_else(|| left.free_symbols());
         let is_constant = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
         let ties = |own: &&Assumed| {
             let names = own.formula.names();
@@ -459,6 +459,25 @@ fn has_wrong_term(limit: &Expr, printed: &Expr) -> bool {
         terms.any(|(other, own)| other == monomial && own == number)
     };
     is_plain && !own.is_zero() && shown.terms().any(|(own, number)| !is_there(own, number))
+}
+
+/// The symbols that are left of a term when what is above and below a stroke is cancelled: `f` goes out of `\frac{f (c + u)/c}{f}`.
+fn left_when_cancelled(term: &Expr) -> Option<Set<Symbol>> {
+    let mut atoms = Atoms::default();
+    let value = Lowering::plain(&mut atoms).lower(term).ok()?;
+    let below = value.denominator().flat_map(|(factor, _)| factor.vars());
+    let vars = value.numerator().vars().into_iter().chain(below);
+    let mut symbols = Set::new();
+    for var in vars {
+        match atoms.atom(var) {
+            Atom::Symbol(own) | Atom::Root { of: own, .. } => {
+                symbols.insert(own.clone());
+            }
+            Atom::Opaque(term) => symbols.extend(term.free_symbols()),
+            _ => return None,
+        }
+    }
+    Some(symbols)
 }
 
 fn sum_of(mut terms: Vec<Expr>) -> Option<Expr> {

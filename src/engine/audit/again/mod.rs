@@ -25,6 +25,7 @@ mod named;
 mod obeys;
 mod overlooked;
 mod rescue;
+mod rooted;
 mod silent;
 mod slashes;
 mod solution;
@@ -34,6 +35,7 @@ pub(super) mod throughout;
 mod twice;
 mod unitless;
 mod unstated;
+mod worded;
 
 /// Why a step is left open that nothing shows: what stands before is not all that it may be meant to follow from.
 pub(super) const OPEN_ITSELF: &str =

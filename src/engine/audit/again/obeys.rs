@@ -361,7 +361,7 @@ impl Judge<'_> {
 
     /// Whether words say that a solution is one of something simpler than the law, or near one. "If the damping is weak ($\gamma < \omega_0$)" says
     /// of which case it is.
-    fn is_of_another_law(&self) -> bool {
+    pub(super) fn is_of_another_law(&self) -> bool {
         self.says(&OF_ANOTHER_LAW) || self.says(&OF_A_CASE) && !self.names_its_case()
     }
 
@@ -563,7 +563,12 @@ fn fixed_by(law: &Formula, given: &[Assumed]) -> Set<Symbol> {
 }
 
 /// That something else than a goal is refuted, and by that the goal.
-fn refuted_of(goal: &Goal, formula: &Formula, assumed: &[Assumed], refuted: Refuted) -> Found {
+pub(super) fn refuted_of(
+    goal: &Goal,
+    formula: &Formula,
+    assumed: &[Assumed],
+    refuted: Refuted,
+) -> Found {
     Found::open(Judged {
         goal: Goal {
             formula: formula.clone(),

@@ -120,8 +120,13 @@ impl Judge<'_> {
             all.any(|own| own.formula.set_to_number() == Some(symbol))
         };
         let mut free = unbounded(&claim);
-        free.retain(|symbol| symbol.name() != "\\pi" && !is_set(symbol));
-        let positive = |symbol| taken(&Formula::positive(Expr::Symbol(symbol)));
+        let positive = |symbol: &Symbol| Formula::positive(Expr::Symbol(symbol.clone()));
+        let is_said = |symbol: &Symbol| {
+            let positive = positive(symbol);
+            assumed.iter().any(|own| *own.formula == positive)
+        };
+        free.retain(|symbol| symbol.name() != "\\pi" && !is_set(symbol) && !is_said(symbol));
+        let positive = |symbol: Symbol| taken(&positive(&symbol));
         assumed.extend(free.into_iter().map(positive));
         assumed
     }
@@ -176,12 +181,15 @@ impl Judge<'_> {
         &self,
         asked: &Asked,
         cited: Vec<Assumed>,
-        words: Vec<Assumed>,
+        mut words: Vec<Assumed>,
         premises: &[usize],
     ) -> Option<(Vec<Assumed>, MayFail)> {
         let quantity = asked.quantity?;
         if self.is_of_another_thing() {
             return None;
+        }
+        if self.looks_for_an_extreme() {
+            words.retain(|own| !own.is_of(quantity));
         }
         let meanings = self.meanings(quantity, &cited, premises);
         let mut assumed: Vec<Assumed> = Vec::new();
@@ -325,6 +333,22 @@ impl Judge<'_> {
         let mut words = said.split_whitespace();
         let begins = matches!(words.next(), Some("A" | "An"));
         begins && matches!(words.next_back(), Some("has" | "has:"))
+    }
+
+    /// Whether the sentence before a step looks for the place itself: "Minimising the radicand in (5) locates the resonance".
+    fn looks_for_an_extreme(&self) -> bool {
+        const LOOKS: [&str; 8] = [
+            "minimising",
+            "minimizing",
+            "maximising",
+            "maximizing",
+            "minimise",
+            "minimize",
+            "maximise",
+            "maximize",
+        ];
+        let words = self.derivation.leading_words(self.at);
+        words.iter().any(|word| LOOKS.contains(&word.as_str()))
     }
 
     /// Whether the sentence that a display is part of goes on to something behind it.

@@ -161,7 +161,7 @@ impl Auditor<'_> {
             let found = sets.find_map(|own| self.with_what_is_usual(at, &open, &own, printed()));
             numeric = found.unwrap_or(numeric);
         }
-        if says_again(&numeric) {
+        if self.says_again(at, &numeric, printed) {
             return leave_open(entry, SAID_AGAIN);
         }
         match (numeric.outcome(), entry.verdict) {
@@ -216,7 +216,9 @@ impl Auditor<'_> {
         for goal in numbers {
             let goals = [goal];
             let mut numeric = self.weighed(at, &goals, &figures, &printed);
-            if *numeric.outcome() != Weighed::Contradicted || says_again(&numeric) {
+            if *numeric.outcome() != Weighed::Contradicted
+                || self.says_again(at, &numeric, || &printed)
+            {
                 continue;
             }
             if !is_complex(&goals[0]) {
@@ -229,6 +231,30 @@ impl Auditor<'_> {
             entry.numeric = Some(numeric.into());
             return;
         }
+    }
+
+    /// Whether what is wrong is said again of something, and not worked out: it is said of another case. So is what differs from what a display
+    /// prints of the same, and is said to follow from nothing.
+    fn says_again<'p>(
+        &self,
+        at: usize,
+        numeric: &Numeric,
+        printed: impl Fn() -> &'p [Printed],
+    ) -> bool {
+        let (_, is_cited, _) = self.derivation.premises(at);
+        let is_printed = |own: &Symbol| {
+            let mut all = printed().iter().filter(|own| own.equation.is_some());
+            !is_cited && all.any(|other| other.goal.formula.said_of().is_some_and(|of| of.0 == own))
+        };
+        let is_wrong = |own: &&Link| own.outcome == Weighed::Contradicted;
+        let mut wrong = numeric.links.iter().filter(is_wrong);
+        wrong.any(|link| match &link.goal.formula {
+            Formula::Relation {
+                left: Expr::Symbol(own),
+                ..
+            } => numeric.data.contains_key(own) || is_printed(own),
+            _ => false,
+        })
     }
 
     /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.
@@ -341,19 +367,6 @@ impl Auditor<'_> {
         told.retain(|own| just.contains(own) || !is_place(own));
         told
     }
-}
-
-/// Whether what is wrong is said again of something, and not worked out: it is said of another case.
-fn says_again(numeric: &Numeric) -> bool {
-    let is_wrong = |own: &&Link| own.outcome == Weighed::Contradicted;
-    let mut wrong = numeric.links.iter().filter(is_wrong);
-    wrong.any(|link| match &link.goal.formula {
-        Formula::Relation {
-            left: Expr::Symbol(own),
-            ..
-        } => numeric.data.contains_key(own),
-        _ => false,
-    })
 }
 
 /// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.

@@ -24,7 +24,33 @@ pub(in crate::document) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>
     let first = tokens
         .iter()
         .find(|(token, _)| !matches!(token, Token::Mark(',' | ';')));
-    matches!(first, Some((Token::Word("which"), _))) || works_on_it(last) || works_on_this(tokens)
+    matches!(first, Some((Token::Word("which"), _)))
+        || works_on_it(last)
+        || works_on_this(tokens)
+        || puts_this_in(last)
+}
+
+/// "Substituting back into (6)", "putting this into (1)": what is put in is what stands before.
+fn puts_this_in(last: &[Placed<'_>]) -> bool {
+    const PUTTING: &[&str] = &[
+        "substituting",
+        "inserting",
+        "putting",
+        "plugging",
+        "substitute",
+        "insert",
+        "plug",
+    ];
+    const WHAT: &[&str] = &[
+        "this", "these", "result", "results", "value", "values", "back",
+    ];
+    let Some(at) = last.iter().position(|own| own.0.is_among(PUTTING)) else {
+        return false;
+    };
+    let rest = &last[at + 1..];
+    let named = rest.iter().take_while(|own| own.0.is_among(WHAT)).count();
+    matches!(rest.get(named..), Some([(into, _), (cited, _), ..])
+        if named > 0 && into.is_among(&["in", "into"]) && cited.cites())
 }
 
 /// "Comparing this with (1)", "At the top, $r = a$, this gives with (1)", "With (1) this can be written as", "and when this is used in (1)": where
@@ -140,8 +166,14 @@ pub(in crate::document) fn tail<'t, 'a>(
     }
 }
 
-/// Whether the end of a sentence says what the display in it comes from: "by (2)".
+/// Whether the end of a sentence says what the display in it comes from: "by (2)". In "where (5) follows from" it says that of what it cites.
 pub(in crate::document) fn says_from(tail: &[Placed<'_>]) -> bool {
+    const FOLLOWS: &[&str] = &["follows", "comes", "results", "is", "was", "has", "holds"];
     let first = tail.first().map(|(token, _)| *token);
-    matches!(first, Some(Token::Word(word)) if FROM.contains(&word))
+    let cited = tail.iter().position(|(token, _)| token.cites());
+    let follows = cited
+        .and_then(|at| tail.get(at + 1))
+        .is_some_and(|(next, _)| next.is_among(FOLLOWS));
+    let is_where = matches!(first, Some(Token::Word("where")));
+    matches!(first, Some(Token::Word(word)) if FROM.contains(&word)) && !(is_where && follows)
 }

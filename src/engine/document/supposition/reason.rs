@@ -39,6 +39,10 @@ const AT_REST: [&str; 6] = [
 const PLACES: &[&str] = &[
     "at", "from", "to", "between", "for", "when", "until", "where",
 ];
+/// Before what is found from a condition.
+pub(super) const FINDING: [&str; 8] = [
+    "gives", "yields", "implies", "requires", "forces", "makes", "so", "hence",
+];
 /// More of a sentence is not looked at.
 const LONGEST: usize = 200;
 
@@ -53,6 +57,16 @@ fn near_before(source: &str, body: Span) -> &str {
 /// Whether the sentence around mathematics says that it is so everywhere, and not at one place: "$J = 0$ everywhere", "In equilibrium $J = 0$".
 pub fn is_everywhere(source: &str, body: Span) -> bool {
     let before = near_before(source, body);
+    let last = before
+        .trim_end_matches(|c: char| !c.is_alphabetic())
+        .rsplit(|c: char| !c.is_alphabetic())
+        .next();
+    // A constant of integration is one for good.
+    if last.is_some_and(|word| FINDING.contains(&word))
+        && says_constant_is_nought(source.get(body.range()).unwrap_or_default())
+    {
+        return true;
+    }
     let sentence = before.rsplit(['.', '\n', ';']).next();
     let begins = sentence.unwrap_or_default().trim_start();
     let begins = begins
@@ -65,12 +79,23 @@ pub fn is_everywhere(source: &str, body: Span) -> bool {
         .map(|(at, _)| at)
         .find(|&at| after[at..].starts_with(['.', ';', '=']) || after[at..].starts_with("\n\n"));
     let mut words = after[..end.unwrap_or_default()].split(|c: char| !c.is_alphabetic());
-    let word = before
-        .trim_end_matches(|c: char| !c.is_alphabetic())
-        .rsplit(|c: char| !c.is_alphabetic())
-        .next();
-    let is_place = word.is_some_and(|word| PLACES.has_in_any_case(word));
+    let is_place = last.is_some_and(|word| PLACES.has_in_any_case(word));
     !is_place && (rests || words.any(|word| EVERYWHERE.contains(&word)))
+}
+
+/// Whether mathematics says of what is named as constants of integration are, `C_2 = 0`, that it is nought.
+pub(super) fn says_constant_is_nought(text: &str) -> bool {
+    let parts = text.split_once('=');
+    let Some((name, "0")) = parts.map(|(name, value)| (name.trim(), value.trim())) else {
+        return false;
+    };
+    let is_index = |own: &str| {
+        let own = own.strip_prefix('_').unwrap_or_default();
+        let own = own.trim_start_matches('{').trim_end_matches('}');
+        own.len() == 1 && own.bytes().all(|own| own.is_ascii_digit())
+    };
+    let index_of = name.strip_prefix(['A', 'B', 'C', 'D']);
+    name == "C" || index_of.is_some_and(is_index)
 }
 
 /// Whether the sentence before mathematics says that it is put into something, or tried: "Inserting $x = A \cos\omega t$ in (2)".

@@ -95,8 +95,15 @@ impl Parser<'_> {
             }
             Kind::Relation(Relation::Equal, false) => {
                 self.advance();
-                let (from, to) = self.counted_out()?;
-                (Some(from), to)
+                let start = self.at;
+                match self.counted_both_ways() {
+                    true => (None, None),
+                    false => {
+                        self.at = start;
+                        let (from, to) = self.counted_out()?;
+                        (Some(from), to)
+                    }
+                }
             }
             _ => return None,
         };
@@ -126,6 +133,38 @@ impl Parser<'_> {
             ('N', ..) => Some(Some(1)),
             _ => None,
         }
+    }
+
+    /// `0, \pm 1, \pm 2, \dots`: all whole numbers, or all but 0.
+    fn counted_both_ways(&mut self) -> bool {
+        if self.peek() == Kind::Number("0") {
+            self.advance();
+            if !self.accept(Kind::Char(',')) {
+                return false;
+            }
+        }
+        let mut count = 0;
+        while self.accept(Kind::Command("pm")) {
+            count += 1;
+            let Kind::Number(text) = self.peek() else {
+                return false;
+            };
+            if text.parse() != Ok(count) {
+                return false;
+            }
+            self.advance();
+            if !self.accept(Kind::Char(',')) {
+                return count > 1;
+            }
+        }
+        let Kind::Command(name) = self.peek() else {
+            return false;
+        };
+        let is_endless = count > 0 && commands::is_dots(name);
+        if is_endless {
+            self.advance();
+        }
+        is_endless
     }
 
     /// `1, 2, 3, \dots`: the first of numbers that follow one another, and the last, where they end: `1, 2`.

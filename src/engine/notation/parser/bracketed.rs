@@ -317,8 +317,14 @@ impl Parser<'_> {
             return Some(found);
         }
         let (mut word, mut charge) = (String::new(), String::new());
+        let mut in_italics = false;
         loop {
             match (self.kind(at), self.kind(at + 1), self.kind(at + 2)) {
+                (Kind::Letter(letter), ..) if self.has_concentrations && charge.is_empty() => {
+                    word.push(letter);
+                    in_italics = true;
+                    at += 1;
+                }
                 (Kind::Upright(text) | Kind::Text(text), ..) if charge.is_empty() => {
                     let (letters, above) = text.split_once('^').unwrap_or((text, ""));
                     word += &letters.replace(['_', '{', '}'], "");
@@ -362,6 +368,8 @@ impl Parser<'_> {
         let is_name = word.chars().all(char::is_alphanumeric)
             && word.starts_with(char::is_alphabetic)
             && (capital || word.chars().count() > 1 && unit::read(&word).is_err());
+        // In italics what begins with a small letter is one like any other.
+        let is_name = is_name && (capital || !in_italics);
         let name = || format!("[{}]", charged(&word, &charge));
         (closes && is_name).then(|| (name(), at + right + 1))
     }

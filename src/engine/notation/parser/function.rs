@@ -7,6 +7,7 @@ use super::vector::refuse_vector;
 use super::{Before, BeforeKind, Choice, Factor, Kind, Parser, Read, Shape, refuse, refuse_with};
 use crate::algebra::{BigRational, Expr, Function, Symbol};
 use crate::notation::figures;
+use crate::notation::is_composed_place;
 use crate::notation::{commands, latex};
 use num_traits::One;
 
@@ -50,6 +51,27 @@ impl Parser<'_> {
             && !arguments.iter().any(adds_a_number)
         {
             return self.applied_to(start, name, arguments, BeforeKind::Function);
+        }
+        if let (Expr::Symbol(name), [place]) = (&function.expr, arguments.as_slice())
+            && self.valued.is_some_and(|valued| valued.contains(name))
+            && delimiter.close == ")"
+            && is_composed_place(place)
+        {
+            return self.applied_to(start, name, arguments, BeforeKind::Function);
+        }
+        // `N\,(K - N_0)`: nobody sets a space before an argument.
+        let is_set_off = self.tokens.get(open).is_some_and(|token| token.spaced);
+        if let (Expr::Symbol(name), [_]) = (&function.expr, arguments.as_slice())
+            && is_set_off
+            && delimiter.close == ")"
+            && (!bare || self.peek() == Kind::Char('^'))
+        {
+            self.before.push(Before {
+                name: name.clone(),
+                span: self.since(start),
+                kind: BeforeKind::Product,
+            });
+            return self.before_factor(start, open, function, arguments);
         }
         if let Expr::Symbol(name) = &function.expr
             && self.may_be_multiplied((name, start..open), bare, &delimiter, &arguments)
@@ -144,7 +166,9 @@ impl Parser<'_> {
         let many = ['^', '(']
             .into_iter()
             .any(|own| self.peek() == Kind::Char(own));
-        number || many
+        // `2 \pi (1450)`
+        let before = open.checked_sub(2).map(|before| self.kind(before));
+        number || many || matches!(before, Some(Kind::Number(_)))
     }
 
     /// Whether a reader may take a name for a function of what stands in brackets after it, other than `P(t)`.

@@ -107,8 +107,12 @@ pub(super) struct Parser<'s> {
     choices: Vec<(Choice, Span)>,
     /// The names that the page has as functions.
     applied: Option<&'s BTreeSet<Symbol>>,
+    /// The names that the page has as functions and without an argument, too.
+    valued: Option<&'s BTreeSet<Symbol>>,
     /// What the sums of the page run through.
     run: Option<&'s Through>,
+    /// Whether the page speaks of concentrations.
+    has_concentrations: bool,
     /// The names that stand before a parenthesis.
     before: Vec<Before>,
     /// The places that may be no power and no product.
@@ -200,7 +204,9 @@ impl<'s> Parser<'s> {
     /// With what the page tells of its notation.
     pub(in crate::notation) fn within(mut self, context: &'s Context) -> Self {
         self.applied = Some(&context.applied).filter(|own| !own.is_empty());
+        self.valued = Some(&context.valued).filter(|own| !own.is_empty());
         self.run = context.run.as_ref();
+        self.has_concentrations = context.has_concentrations;
         self
     }
 
@@ -228,7 +234,9 @@ impl<'s> Parser<'s> {
             angle: false,
             doubled: false,
             applied: None,
+            valued: None,
             run: None,
+            has_concentrations: false,
             of_angle: false,
             truncated: None,
             summands: Vec::new(),

@@ -3,7 +3,7 @@
 
 use num_traits::{Signed, Zero};
 
-use crate::algebra::{BigInt, BigRational, Expr, Relation, Symbol};
+use crate::algebra::{BigInt, BigRational, Expr, Function, Relation, Symbol};
 use crate::interval::{Figures, Interval};
 use crate::notation::{
     Link, Precision, Rounding, Side, has_decimals, has_units, in_si, is_figures, units_beside,
@@ -157,10 +157,10 @@ pub(super) fn lend_units(sides: &mut [Side]) {
     };
     let is_worked_out = |side: &&mut Side| {
         let is_number = matches!(side.expr, Expr::Number(_));
-        !is_number && is_figures(&side.expr) && !has_units(&side.expr)
+        !is_number && is_figures(&with_exponentials(&side.expr)) && !has_units(&side.expr)
     };
     for side in before.iter_mut().rev().take_while(is_worked_out) {
-        let Some(found) = value(&side.expr).map(|own| own.abs()) else {
+        let Some(found) = value(&with_exponentials(&side.expr)).map(|own| own.abs()) else {
             return;
         };
         let as_they_stand = apart_by(&found, bare.high());
@@ -176,6 +176,21 @@ pub(super) fn lend_units(sides: &mut [Side]) {
         }
         factors.extend(units.iter().cloned());
         side.expr = Expr::Product(factors.into());
+    }
+}
+
+/// A term with `e^{-1/0.47}` as what it must be: no charge is raised to such a power.
+fn with_exponentials(term: &Expr) -> Expr {
+    match term {
+        Expr::Power(base, exponent)
+            if matches!(&**base, Expr::Symbol(own) if own.name() == "e")
+                && is_figures(exponent)
+                && !has_units(exponent)
+                && has_decimals(exponent) =>
+        {
+            Expr::Call(Function::Exp, exponent.clone())
+        }
+        own => own.map_children(with_exponentials),
     }
 }
 

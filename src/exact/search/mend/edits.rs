@@ -131,6 +131,7 @@ pub fn edits(printed: &Formula, names: &Names) -> Vec<Edit> {
         // Of what a number is said to be, no other number is missing.
         if own_number(if is_left { right } else { left }).is_none() {
             editor.missing_one(side);
+            editor.upside_down(side);
         }
         for (change, cost, term) in editor.found.drain(..) {
             let formula = match is_left {
@@ -355,6 +356,17 @@ impl Editor<'_> {
         for item in [negative, term.clone()] {
             let sum = Expr::Sum([one(), item].into());
             self.found.push((Change::Summand, 5, sum));
+        }
+    }
+
+    /// The whole of a side upside down: `R \sqrt{C/L}` for `\frac{1}{R} \sqrt{L/C}`.
+    fn upside_down(&mut self, side: &Expr) {
+        let is_term = |own: &&Expr| own_number(own).is_none();
+        if let Expr::Product(factors) = side
+            && factors.iter().filter(is_term).count() > 1
+        {
+            let inverse = Expr::Quotient(Expr::integer(1).into(), side.clone().into());
+            self.found.push((Change::Inverted, 5, inverse));
         }
     }
 
