@@ -451,6 +451,14 @@ fn odd_powers_beside_a_square_are_integrated() {
             r"\int_0^a \frac{x^3}{\sqrt{b^2 + k x^2}} \, dx = \frac{(b^2 + k a^2)^{3/2} - b^3}{3 k^2} + \frac{b^2}{k^2} (\sqrt{b^2 + k a^2} - b)",
         ),
         (
+            r"\int_0^a \frac{x^5}{\sqrt{b^2 + x^2}} \, dx = \frac{(a^2 + b^2)^{5/2} - b^5}{5} - \frac{2 b^2}{3} ((a^2 + b^2)^{3/2} - b^3) + b^4 (\sqrt{a^2 + b^2} - b)",
+            r"\int_0^a \frac{x^5}{\sqrt{b^2 + x^2}} \, dx = \frac{(a^2 + b^2)^{5/2} - b^5}{5} - \frac{b^2}{3} ((a^2 + b^2)^{3/2} - b^3) + b^4 (\sqrt{a^2 + b^2} - b)",
+        ),
+        (
+            r"\int_0^a \frac{x}{c \sqrt{x^2 + b^2}} \, dx = \frac{\sqrt{a^2 + b^2} - b}{c}",
+            r"\int_0^a \frac{x}{c \sqrt{x^2 + b^2}} \, dx = \sqrt{a^2 + b^2} - b",
+        ),
+        (
             r"\int_0^a x \sqrt{b^2 + x^2} \, dx = \frac{(b^2 + a^2)^{3/2} - b^3}{3}",
             r"\int_0^a x \sqrt{b^2 + x^2} \, dx = \frac{(b^2 + a^2)^{3/2} - b^3}{2}",
         ),
@@ -477,6 +485,8 @@ fn no_square_is_integrated_where_it_may_vanish() {
         r"\int_0^1 \frac{x}{\sqrt{1 - x^2}} \, dx = 1",
         r"\int_0^a \frac{x}{(b - x^2)^2} \, dx = \frac{1}{2 (b - a^2)} - \frac{1}{2 b}",
         r"\int_0^a \frac{x}{\sqrt{b^2 + x^2} \ln x} \, dx = 0",
+        r"\int_0^a \frac{x (x - c)}{(x - c) \sqrt{x^2 + b^2}} \, dx = \sqrt{a^2 + b^2} - b",
+        r"\int_0^a \frac{x (\sqrt{x - c})^2}{(x - c) \sqrt{x^2 + b^2}} \, dx = \sqrt{a^2 + b^2} - b",
     ] {
         assert!(!follows(none), "{none}");
     }

@@ -159,14 +159,8 @@ fn say_by_pieces(parts: &mut [Part]) {
     };
     let mut found: Vec<(usize, usize, Expr)> = Vec::new();
     for (at, part) in parts.iter().enumerate() {
-        for (first, pair) in part
-            .statements
-            .iter()
-            .flatten()
-            .collect::<Vec<_>>()
-            .windows(2)
-            .enumerate()
-        {
+        let statements: Vec<&Statement> = part.statements.iter().flatten().collect();
+        for (first, pair) in statements.windows(2).enumerate() {
             if let Some(own) = side(pair[0]).filter(|own| is_range(pair[1], own)) {
                 found.push((at, first, own));
             }

@@ -4,7 +4,7 @@ use super::prose::{Placed, Token};
 use super::{Citation, Span};
 
 /// These put something in.
-const INSERTING: &[&str] = &[
+pub(super) const INSERTING: &[&str] = &[
     "inserting",
     "insert",
     "substituting",

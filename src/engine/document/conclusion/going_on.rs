@@ -1,5 +1,6 @@
 //! Whether prose goes on with the display before it: "which by (2) is", "Comparing this with (1)".
 
+use super::super::inserted::INSERTING;
 use super::super::prose::{Placed, Token, ends_sentence};
 use super::draws_on;
 
@@ -32,19 +33,10 @@ pub(in crate::document) fn is_relative(tokens: &[Placed<'_>], last: &[Placed<'_>
 
 /// "Substituting back into (6)", "putting this into (1)": what is put in is what stands before.
 fn puts_this_in(last: &[Placed<'_>]) -> bool {
-    const PUTTING: &[&str] = &[
-        "substituting",
-        "inserting",
-        "putting",
-        "plugging",
-        "substitute",
-        "insert",
-        "plug",
-    ];
     const WHAT: &[&str] = &[
         "this", "these", "result", "results", "value", "values", "back",
     ];
-    let Some(at) = last.iter().position(|own| own.0.is_among(PUTTING)) else {
+    let Some(at) = last.iter().position(|own| own.0.is_among(INSERTING)) else {
         return false;
     };
     let rest = &last[at + 1..];

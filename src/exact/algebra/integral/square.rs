@@ -102,13 +102,9 @@ impl Lowering<'_> {
             .filter(|own| self.moves(own, range))
             .cloned()
             .collect();
-        let roots = below.iter().filter_map(alone);
-        for var in value
-            .numerator()
-            .vars()
-            .into_iter()
-            .chain(roots.collect::<Vec<_>>())
-        {
+        let mut vars = value.numerator().vars().to_vec();
+        vars.extend(below.iter().filter_map(alone));
+        for var in vars {
             let Atom::Opaque(Expr::Power(base, exponent)) = self.atoms.atom(var).clone() else {
                 continue;
             };
