@@ -37,6 +37,8 @@ pub(super) fn said(display: &[Part]) -> impl Iterator<Item = Formula> {
 
 /// A row goes on with so many rows before it, the nearest: with all of thousands, each would cost as much as they are.
 const LONGEST_CHAIN: usize = 64;
+/// Nobody says what something is in more pieces: each is held against all.
+const MOST_PIECES: usize = 32;
 /// Fewer displays than this are not worth another thread.
 const WORTH_SHARING: usize = 64;
 
@@ -165,6 +167,9 @@ fn say_by_pieces(parts: &mut [Part]) {
                 found.push((at, first, own));
             }
         }
+    }
+    if found.len() > MOST_PIECES {
+        return;
     }
     let several = |of: &Expr| found.iter().filter(|own| own.2 == *of).count() > 1;
     let pieces: Vec<(usize, usize)> = (found.iter().rev())
