@@ -376,30 +376,35 @@ pub fn usable<'a>(
 /// Where a chain says by an integral what a symbol is, `V = \int_0^R f \, ds = w`, and what that comes to, says the second of the symbol: `V = w`
 /// in place of `V = \int_0^R f \, ds`, which says the same beside the rest of the chain, and can be differentiated.
 fn arrive_past_integrals(assumed: &mut [Assumed]) {
-    let has_integral = |term: &Expr| term.any(&|part| matches!(part, Expr::Integral { .. }));
     for at in 0..assumed.len() {
-        let Some((Expr::Symbol(name), mut end)) = assumed[at].formula.as_equation() else {
-            continue;
-        };
-        let first = &assumed[at];
-        let mut rest = assumed[at + 1..].iter();
-        while has_integral(end)
-            && let Some(next) = rest.next()
-            && let Some((left, right)) = next.formula.as_equation()
-            && (next.source, next.standing) == (first.source, first.standing)
-            && left == end
-        {
-            end = right;
-        }
-        let is_reached = assumed[at]
-            .formula
-            .as_equation()
-            .is_some_and(|own| own.1 != end);
-        if is_reached && !has_integral(end) && !end.mentions(name) {
-            let whole = Formula::equal(Expr::Symbol(name.clone()), end.clone());
+        if let Some(whole) = past_integrals(&assumed[at..]) {
             assumed[at].formula = whole.into();
         }
     }
+}
+
+/// What the first of these says of a symbol, with the first member of its chain in which nothing is integrated in place of an integral.
+fn past_integrals(chain: &[Assumed]) -> Option<Formula> {
+    let has_integral = |term: &Expr| term.any(&|part| matches!(part, Expr::Integral { .. }));
+    let (first, rest) = chain.split_first()?;
+    let (Expr::Symbol(name), mut end) = first.formula.as_equation()? else {
+        return None;
+    };
+    if !has_integral(end) {
+        return None;
+    }
+    for next in rest {
+        let (left, right) = next.formula.as_equation()?;
+        if (next.source, next.standing) != (first.source, first.standing) || left != end {
+            return None;
+        }
+        end = right;
+        if !has_integral(end) {
+            let whole = || Formula::equal(Expr::Symbol(name.clone()), end.clone());
+            return (!end.mentions(name)).then(whole);
+        }
+    }
+    None
 }
 
 /// Leaves out what speaks of complex numbers or small changes. Where a chain goes through complex members from a real one to a real one,

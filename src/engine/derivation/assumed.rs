@@ -110,21 +110,20 @@ impl Derivation {
     pub fn told(&self, at: usize) -> Vec<Assumed> {
         let equation = &self.equations[at];
         let mut told = self.supposed(at, &equation.told);
-        let stated: Vec<Formula> = match told.is_empty() {
-            true => Vec::new(),
-            false => equation.statements().iter().flat_map(formulas).collect(),
-        };
+        if told.is_empty() {
+            return told;
+        }
+        let stated: Vec<Formula> = equation.statements().iter().flat_map(formulas).collect();
         // What was told before the display before is what a chain begins with: `i = C \frac{dv}{dt} = …`
         let before = self
             .before_display(at)
             .filter(|_| stated.len() > 1)
             .map(|before| self.equations[before].span.start);
-        told.retain(|own| match own.source {
-            Source::Local(page, local) if before.is_some() => {
-                before > Some(self.local(page, local).span.start) || !stated.contains(&own.formula)
-            }
-            _ => !stated.contains(&own.formula),
-        });
+        let is_before = |own: &Assumed| match own.source {
+            Source::Local(page, local) => before > Some(self.local(page, local).span.start),
+            _ => false,
+        };
+        told.retain(|own| is_before(own) || !stated.contains(&own.formula));
         told
     }
 

@@ -140,39 +140,37 @@ pub(super) fn in_question(equations: &[Equation], spoken_of: &Set<Symbol>) -> BT
     if factors.next().is_none() && !equations.iter().any(is_unread) {
         return BTreeSet::new();
     }
-    let mut defined = BTreeSet::new();
-    for formula in statements().flat_map(formulas) {
-        if let Some((Expr::Apply(name, arguments), value)) = formula.as_equation()
-            && arguments
-                .iter()
-                .all(|own| matches!(own, Expr::Symbol(own) if value.mentions(own)))
-            && !value.mentions(name)
-        {
-            defined.insert(name.clone());
-        }
-    }
+    let mut defined = defined(equations, |_| true);
     defined.retain(|own| !spoken_of.contains(own));
     defined
+}
+
+/// The functions that displays of a page give by a term in all of their arguments, if these are as is asked.
+fn defined(equations: &[Equation], is_asked: impl Fn(&[Expr]) -> bool) -> BTreeSet<Symbol> {
+    let statements = equations.iter().flat_map(|equation| equation.statements());
+    let said = statements.flat_map(formulas);
+    let name = |own: Formula| match own.as_equation()? {
+        (Expr::Apply(name, arguments), value) => {
+            let moves = |own: &Expr| matches!(own, Expr::Symbol(own) if value.mentions(own));
+            let is_so = arguments.iter().all(moves) && !value.mentions(name) && is_asked(arguments);
+            is_so.then(|| name.clone())
+        }
+        _ => None,
+    };
+    said.filter_map(name).collect()
 }
 
 /// The functions of one symbol that displays of a page define, which may be applied elsewhere to what is read as a factor: `v(L/2)` beside
 /// `v(x)`, though the page has `v` by itself, too.
 pub(super) fn with_values(equations: &[Equation]) -> BTreeSet<Symbol> {
-    let statements = || equations.iter().flat_map(|equation| equation.statements());
-    let before = statements().flat_map(|statement| &statement.before);
+    let statements = equations.iter().flat_map(|equation| equation.statements());
+    let before = statements.flat_map(|statement| &statement.before);
     let factors = before.filter(|before| before.kind == BeforeKind::Factor);
     let mut found: BTreeSet<Symbol> = factors.map(|before| before.name.clone()).collect();
-    let is_defined = |name: &Symbol| {
-        let mut said = statements().flat_map(formulas);
-        said.any(|own| match own.as_equation() {
-            Some((Expr::Apply(function, arguments), value)) => {
-                let moves = |own: &Expr| matches!(own, Expr::Symbol(own) if value.mentions(own));
-                function == name && matches!(&arguments[..], [only] if moves(only))
-            }
-            _ => false,
-        })
-    };
-    found.retain(is_defined);
+    if !found.is_empty() {
+        let defined = defined(equations, |arguments| arguments.len() == 1);
+        found.retain(|name| defined.contains(name));
+    }
     found
 }
 

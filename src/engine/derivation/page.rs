@@ -189,12 +189,8 @@ pub(super) fn read_page(
     let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
     let spoken_of: Set<Symbol> = alone.collect();
     unread.context.run = sums::run_through(&equations);
-    if unread.context.run.is_some() {
-        page = unread.clone();
-        (equations, derived) = read_items(&mut page, number, &items);
-    }
     unread.context.valued = names::with_values(&equations);
-    if !unread.context.valued.is_empty() {
+    if unread.context.run.is_some() || !unread.context.valued.is_empty() {
         page = unread.clone();
         (equations, derived) = read_items(&mut page, number, &items);
     }
@@ -295,14 +291,12 @@ fn forget_remarks(source: &str, items: &mut [Item]) {
 
 /// Whether words of a text speak of means: what a bar above the name of a sequence stands for.
 fn speaks_of_means(source: &str) -> bool {
-    const MEANS: [&str; 4] = ["mean", "means", "average", "averages"];
-    let mut words = source.split(|c: char| !c.is_alphabetic());
-    words.any(|word| MEANS.contains(&word))
+    has_word_among(source, &["mean", "means", "average", "averages"])
 }
 
 /// Whether words of a text speak of concentrations, which are written with brackets.
 fn speaks_of_concentrations(source: &str) -> bool {
-    const WORDS: [&str; 6] = [
+    let words = [
         "concentration",
         "concentrations",
         "enzyme",
@@ -310,8 +304,12 @@ fn speaks_of_concentrations(source: &str) -> bool {
         "reactants",
         "ligand",
     ];
+    has_word_among(source, &words)
+}
+
+fn has_word_among(source: &str, such: &[&str]) -> bool {
     let mut words = source.split(|c: char| !c.is_alphabetic());
-    words.any(|word| WORDS.contains(&word))
+    words.any(|word| such.contains(&word))
 }
 
 /// Whether a directive says of an equation that it is given, or what it follows from.

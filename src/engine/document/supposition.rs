@@ -367,7 +367,7 @@ impl Reader<'_> {
         if states && self.is_momentary(index, body) {
             let kind = SuppositionKind::Moment;
             self.found.push(Supposition { kind, body });
-        } else if states && (self.is_known(index) || self.finds_constant(index, body)) {
+        } else if states && (self.is_known(index) || self.finds_constant(body)) {
             let kind = SuppositionKind::Known;
             self.found.push(Supposition { kind, body });
         } else if states && (self.tells(index, body) || self.draws_from_words(index, body)) {

@@ -16,9 +16,8 @@ const MOST_PUT_IN: usize = 8;
 pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<Decision> {
     let is_logarithm = |part: &Expr| matches!(part, Expr::Call(Function::Ln, _));
     // `\sqrt{\frac{1}{12} - \frac{1}{2 \pi^2}}`
-    let is_of_pi = |part: &Expr| {
-        part.is_root() && part.any(&|own| matches!(own, Expr::Symbol(own) if own.name() == "\\pi"))
-    };
+    let pi = Symbol::new("\\pi");
+    let is_of_pi = |part: &Expr| part.is_root() && part.mentions(&pi);
     let mut terms = obligation.claim().formulas().flat_map(Formula::terms);
     let is_written = terms.any(|term| term.any(&|part| is_logarithm(part) || is_of_pi(part)));
     // Of exponentials logarithms are taken.

@@ -40,7 +40,7 @@ const PLACES: &[&str] = &[
     "at", "from", "to", "between", "for", "when", "until", "where",
 ];
 /// Before what is found from a condition.
-pub(super) const FINDING: [&str; 8] = [
+const FINDING: [&str; 8] = [
     "gives", "yields", "implies", "requires", "forces", "makes", "so", "hence",
 ];
 /// More of a sentence is not looked at.
@@ -57,14 +57,8 @@ fn near_before(source: &str, body: Span) -> &str {
 /// Whether the sentence around mathematics says that it is so everywhere, and not at one place: "$J = 0$ everywhere", "In equilibrium $J = 0$".
 pub fn is_everywhere(source: &str, body: Span) -> bool {
     let before = near_before(source, body);
-    let last = before
-        .trim_end_matches(|c: char| !c.is_alphabetic())
-        .rsplit(|c: char| !c.is_alphabetic())
-        .next();
     // A constant of integration is one for good.
-    if last.is_some_and(|word| FINDING.contains(&word))
-        && says_constant_is_nought(source.get(body.range()).unwrap_or_default())
-    {
+    if finds_constant(source, body) {
         return true;
     }
     let sentence = before.rsplit(['.', '\n', ';']).next();
@@ -79,12 +73,27 @@ pub fn is_everywhere(source: &str, body: Span) -> bool {
         .map(|(at, _)| at)
         .find(|&at| after[at..].starts_with(['.', ';', '=']) || after[at..].starts_with("\n\n"));
     let mut words = after[..end.unwrap_or_default()].split(|c: char| !c.is_alphabetic());
-    let is_place = last.is_some_and(|word| PLACES.has_in_any_case(word));
+    let word = before
+        .trim_end_matches(|c: char| !c.is_alphabetic())
+        .rsplit(|c: char| !c.is_alphabetic())
+        .next();
+    let is_place = word.is_some_and(|word| PLACES.has_in_any_case(word));
     !is_place && (rests || words.any(|word| EVERYWHERE.contains(&word)))
 }
 
+/// Whether the words before mathematics find that a constant of integration is nought: "The condition $v(0) = 0$ gives $C_2 = 0$".
+pub(super) fn finds_constant(source: &str, body: Span) -> bool {
+    let before = near_before(source, body).trim_end_matches(['$', '\\', '(']);
+    let word = before
+        .trim_end()
+        .rsplit(|c: char| !c.is_alphabetic())
+        .next();
+    word.is_some_and(|word| FINDING.contains(&&*word.to_lowercase()))
+        && says_constant_is_nought(source.get(body.range()).unwrap_or_default())
+}
+
 /// Whether mathematics says of what is named as constants of integration are, `C_2 = 0`, that it is nought.
-pub(super) fn says_constant_is_nought(text: &str) -> bool {
+fn says_constant_is_nought(text: &str) -> bool {
     let parts = text.split_once('=');
     let Some((name, "0")) = parts.map(|(name, value)| (name.trim(), value.trim())) else {
         return false;

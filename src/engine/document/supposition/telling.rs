@@ -8,7 +8,7 @@ use super::around::{
 };
 use super::denial::DENIALS;
 use super::mathematics::{differs, is_bound, is_number, is_value, relates};
-use super::reason::{FINDING, says_constant_is_nought};
+use super::reason::finds_constant;
 use super::words::{HYPOTHETICAL, MOMENTARY, NAMED_AFTER, NAMED_BEFORE, REASONS, UNDECIDED};
 use super::{Reader, is_fact};
 
@@ -131,13 +131,10 @@ impl Reader<'_> {
             && !self.is_of_moment(index)
     }
 
-    /// Whether it says that a constant of integration is nought: "The condition $v(0) = 0$ gives $C_2 = 0$".
-    pub(super) fn finds_constant(&self, index: usize, body: Span) -> bool {
-        let (own, text) = (&self.sentence, self.text(body));
-        says_constant_is_nought(text)
-            && !own.doubtful
-            && own.active.is_none()
-            && follows(index, self.tokens, &FINDING)
+    /// Whether the sentence tells that a constant of integration is nought.
+    pub(super) fn finds_constant(&self, body: Span) -> bool {
+        let own = &self.sentence;
+        !own.doubtful && own.active.is_none() && finds_constant(self.source, body)
     }
 
     /// Whether a relation is a fact that the sentence tells in passing.

@@ -60,27 +60,26 @@ impl Parser<'_> {
             return self.applied_to(start, name, arguments, BeforeKind::Function);
         }
         // `N\,(K - N_0)`: nobody sets a space before an argument.
-        let is_set_off = self.tokens.get(open).is_some_and(|token| token.spaced);
-        if let (Expr::Symbol(name), [_]) = (&function.expr, arguments.as_slice())
-            && is_set_off
-            && delimiter.close == ")"
-            && (!bare || self.peek() == Kind::Char('^'))
-        {
-            self.before.push(Before {
-                name: name.clone(),
-                span: self.since(start),
-                kind: BeforeKind::Product,
-            });
-            return self.before_factor(start, open, function, arguments);
-        }
+        let is_set_off = || {
+            self.tokens.get(open).is_some_and(|token| token.spaced)
+                && delimiter.close == ")"
+                && arguments.len() == 1
+                && (!bare || self.peek() == Kind::Char('^'))
+        };
         if let Expr::Symbol(name) = &function.expr
-            && self.may_be_multiplied((name, start..open), bare, &delimiter, &arguments)
+            && let Some(kind) = match () {
+                () if is_set_off() => Some(BeforeKind::Product),
+                // Whether it is a quantity elsewhere, the page tells.
+                () if self.may_be_multiplied((name, start..open), bare, &delimiter, &arguments) => {
+                    Some(BeforeKind::Quantity)
+                }
+                () => None,
+            }
         {
-            // Whether it is a quantity elsewhere, the page tells.
             self.before.push(Before {
                 name: name.clone(),
                 span: self.since(start),
-                kind: BeforeKind::Quantity,
+                kind,
             });
             return self.before_factor(start, open, function, arguments);
         }
