@@ -7,7 +7,7 @@ use std::cell::Cell;
 
 use num_traits::ToPrimitive;
 
-use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation, Symbol};
+use crate::algebra::{Expr, Formula, Function, LimitPoint, Relation, Symbol, product_of};
 use crate::sorted::{Map, Set};
 
 /// More premises than this are not looked at.
@@ -23,7 +23,15 @@ const LEAST: f64 = 1e-4;
 /// How far apart the points are between which slopes are taken, as a share.
 const APART: f64 = 4e-3;
 /// Into so many pieces an interval of integration is cut.
-const PIECES: u32 = 64;
+const PIECES: u32 = 24;
+/// Where in each of them something is integrated, and with what weight (Abramowitz and Stegun, table 25.4, n = 5).
+const NODES: [(f64, f64); 5] = [
+    (0.0, 0.568_888_888_888_888_9),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
+];
 /// What is far enough for infinity.
 const FAR: f64 = 40.0;
 /// A series with more terms is not summed.
@@ -34,6 +42,9 @@ const STEPS: i32 = 13;
 /// What is the same at all of these is the same anywhere, and how near that must be.
 const ANYWHERE: [f64; 3] = [0.83, 1.37, 2.21];
 const SAME: f64 = 1e-10;
+/// From this seed on values are chosen farther apart, between this and its reciprocal: `\sqrt{1 - \frac{4 H}{r K}}`.
+const CLOSE_TOGETHER: u32 = 8;
+const FARTHEST: f64 = 6.0;
 /// The letter that mostly counts something.
 const COUNTING: &str = "n";
 
@@ -42,6 +53,8 @@ pub struct Sample {
     /// What a symbol is said to be, and of what it is said as a function.
     defined: Map<Symbol, (Vec<Symbol>, Expr)>,
     values: Map<Symbol, f64>,
+    /// What something is said to change with.
+    clocks: Set<Symbol>,
     /// The symbols that count something.
     counted: Set<Symbol>,
     seed: u32,
@@ -58,6 +71,7 @@ impl Sample {
         let mut sample = Sample {
             defined: Map::new(),
             values: Map::new(),
+            clocks: Set::new(),
             counted: Set::new(),
             seed,
             steps: Cell::new(0),
@@ -119,6 +133,17 @@ impl Sample {
     /// Takes a premise for what it says that a symbol is, if it says so plainly and that is not said in a circle.
     fn define(&mut self, of: &Expr, value: &Expr) -> bool {
         let (symbol, arguments) = match of {
+            // `E I \frac{dw}{dx} = …` says how fast `w` changes.
+            Expr::Product(factors) => {
+                let is_slope = |own: &Expr| matches!(own, Expr::Derivative { .. });
+                let Some(at) = factors.iter().position(is_slope) else {
+                    return false;
+                };
+                let mut others = factors.to_vec();
+                let slope = others.remove(at);
+                let value = Expr::Quotient(value.clone().into(), product_of(others).into());
+                return self.define(&slope, &value);
+            }
             Expr::Symbol(own) if !own.is_unit() => (own, Vec::new()),
             Expr::Apply(own, arguments) => {
                 let bare = arguments.iter().map(|own| match own {
@@ -131,7 +156,16 @@ impl Sample {
                 }
             }
             own => match self.slope(own) {
-                Some(slope) => return self.define(&Expr::Symbol(slope), value),
+                Some(slope) => {
+                    let clock = match own {
+                        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
+                            Some(variable)
+                        }
+                        _ => None,
+                    };
+                    self.clocks.extend(clock.cloned());
+                    return self.define(&Expr::Symbol(slope), value);
+                }
                 None => return false,
             },
         };
@@ -162,11 +196,33 @@ impl Sample {
         is_open.then(|| slope(&of, variable))
     }
 
+    /// How fast two symbols change with a third, where something says that of both and nothing how the one changes with the other.
+    fn side_by_side(&self, term: &Expr) -> Option<[Symbol; 2]> {
+        let (Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. }) = term
+        else {
+            return None;
+        };
+        let Expr::Symbol(of) = &**body else {
+            return None;
+        };
+        if self.defined.contains_key(&slope(of, variable)) {
+            return None;
+        }
+        let both = (self.clocks.iter()).map(|clock| [slope(of, clock), slope(variable, clock)]);
+        let mut both = both.filter(|own| own.iter().all(|own| self.defined.contains_key(own)));
+        both.next()
+    }
+
     /// The symbols on which the value of a term depends in the end.
     fn collect_open(&self, term: &Expr, met: &mut Vec<Symbol>, open: &mut Set<Symbol>) {
         match term {
             Expr::Symbol(symbol) => self.collect_open_of(symbol, met, open),
             Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
+                if let Some(both) = self.side_by_side(term) {
+                    both.iter()
+                        .for_each(|own| self.collect_open_of(own, met, open));
+                    return;
+                }
                 if let Some(slope) = self.slope(term) {
                     return self.collect_open_of(&slope, met, open);
                 }
@@ -248,7 +304,8 @@ impl Sample {
         let share = share(symbol.name(), &[], self.seed);
         let value = match self.counted.contains(symbol) || symbol.name() == COUNTING {
             true => 2.0 + (3.0 * share).floor(),
-            false => 0.4 + 1.2 * share,
+            false if self.seed < CLOSE_TOGETHER => 0.4 + 1.2 * share,
+            false => FARTHEST.powf(2.0 * share - 1.0),
         };
         self.values.insert(symbol.clone(), value);
     }
@@ -340,13 +397,15 @@ impl Sample {
                 Some(apply(*function, self.evaluate(inner, scope, next)?))
             }
             Expr::Apply(function, arguments) => {
-                let (parameters, value) = self.defined.get(function)?;
                 let mut values = Vec::new();
                 for argument in arguments.iter() {
                     values.push(self.evaluate(argument, scope, next)?);
                 }
                 // What is said of `u` is so of `u(r)`, and not of `u(2 r)`.
                 let is_bare = |own: &Expr| matches!(own, Expr::Symbol(_));
+                let Some((parameters, value)) = self.defined.get(function) else {
+                    return Some(self.anything(function, &values));
+                };
                 if parameters.is_empty() && !arguments.iter().all(is_bare) {
                     return None;
                 }
@@ -357,6 +416,10 @@ impl Sample {
                 found
             }
             Expr::Derivative { body, variable } | Expr::Partial { body, variable, .. } => {
+                if let Some([above, below]) = self.side_by_side(term) {
+                    let below = self.symbol(&below, scope, next)?;
+                    return Some(self.symbol(&above, scope, next)? / below);
+                }
                 if let Some(slope) = self.slope(term) {
                     return self.symbol(&slope, scope, next);
                 }
@@ -381,14 +444,17 @@ impl Sample {
             } => {
                 let from = self.evaluate(from, scope, next)?;
                 let to = self.evaluate(to, scope, next)?;
-                let width = (to - from) / f64::from(PIECES);
+                // What goes on without end mostly dies away soon.
+                let power = if (to - from).abs() >= FAR { 3 } else { 1 };
+                let end = |piece: u32| (f64::from(piece) / f64::from(PIECES)).powi(power);
                 let mut sum = 0.0;
                 // By Gauß and Legendre: what has no value at an end is integrated, too.
-                let off = (1.0_f64 / 3.0).sqrt();
                 for piece in 0..PIECES {
-                    for side in [-off, off] {
-                        let at = from + width * (f64::from(piece) + 0.5 + 0.5 * side);
-                        sum += 0.5 * width * self.with(variable, at, body, scope, next)?;
+                    let start = from + (to - from) * end(piece);
+                    let width = from + (to - from) * end(piece + 1) - start;
+                    for (off, weight) in NODES {
+                        let at = start + width * (0.5 + 0.5 * off);
+                        sum += 0.5 * width * weight * self.with(variable, at, body, scope, next)?;
                     }
                 }
                 Some(sum)
@@ -474,6 +540,16 @@ impl Sample {
             Some((_, value)) => self.evaluate(value, scope, depth),
             None => self.values.get(symbol).copied(),
         }
+    }
+}
+
+impl Sample {
+    /// What a function of which nothing is said comes to.
+    fn anything(&self, function: &Symbol, at: &[f64]) -> f64 {
+        // What is the same but for how it was worked out is the same.
+        let rough = |own: &f64| format!("{own:.6e} ").into_bytes();
+        let at: Vec<u8> = at.iter().flat_map(rough).collect();
+        0.4 + 1.2 * share(function.name(), &at, self.seed)
     }
 }
 

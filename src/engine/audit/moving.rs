@@ -424,6 +424,20 @@ impl Auditor<'_> {
         moving.changes((symbol, false), variable, true)
     }
 
+    /// Whether the page writes how fast a symbol changes with a variable.
+    pub(super) fn writes_slope(&self, at: usize, symbol: &Symbol, variable: &Symbol) -> bool {
+        let is_slope = |part: &Expr| match part {
+            Expr::Derivative {
+                body,
+                variable: own,
+            } => own == variable && matches!(&**body, Expr::Symbol(of) if of == symbol),
+            _ => false,
+        };
+        let moving = self.moving(self.derivation.equations[at].page);
+        let mut terms = moving.laws.iter().flat_map(|(_, law, _)| law.terms());
+        terms.any(|term| term.any(&is_slope))
+    }
+
     /// Whether the page says that something moves of which conditions say that it does not.
     pub(super) fn says_otherwise(&self, at: usize, conditions: &[Formula]) -> bool {
         let equation = &self.derivation.equations[at];

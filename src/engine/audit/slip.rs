@@ -5,9 +5,9 @@
 
 use std::cell::LazyCell;
 
-use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal, formulas, values_at};
-use crate::kernel::{Assignment, Claim};
+use crate::algebra::{Expr, Formula, Symbol, effort, product_of};
+use crate::derivation::{Assumed, Goal, Source, formulas, values_at};
+use crate::kernel::{Assignment, Claim, Standing};
 use crate::notation::{Clause, Statement};
 use crate::sampling::Sample;
 use crate::search::{
@@ -19,7 +19,7 @@ use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
 use super::entry::Entry;
 use super::readings::Circumstances;
 use super::warranted::is_supposed;
-use super::{Auditor, Judged, Note, Outcome, Verdict, judge};
+use super::{Auditor, Judged, Note, Outcome, Verdict, judge, stated};
 
 /// How much work may be done for that in all, and for one edit.
 const MOST_WORK: u64 = 3_000_000;
@@ -37,31 +37,55 @@ const MOST_SEEDS: u32 = 20;
 const MOST_STEPS: u64 = 1_000_000;
 const MOST_SAMPLES: usize = 3;
 const FEWEST_SAMPLES: usize = 2;
+/// So many times it is tried whether a law is true with what is near to a link.
+const MOST_SAMPLES_WITH: u32 = 2;
+/// So many links of a chain are looked at.
+const MOST_LINKS: usize = 2;
 
 impl Auditor<'_> {
-    /// One small edit with which what is refuted first would have been shown.
+    /// One small edit with which what is refuted would have been shown, and what is said of the links before: the first may be a definition
+    /// of which nothing says so, `\frac{dM}{dt} = (1 - ϵ) \dot m = \frac{1 - ϵ}{ϵ} \frac{L}{c^2}`.
     pub(super) fn slip_in(
         &self,
         statement: &Statement,
         how: &Circumstances,
         entry: &Entry,
-    ) -> Option<Mended> {
-        let (judged, refuted) = entry.refuted()?;
+    ) -> Option<(Vec<Judged>, Mended)> {
+        let is_refuted = |at: &usize| entry.judged[*at].outcome.is_refuted();
+        let mut refuted = (0..entry.judged.len()).filter(is_refuted).take(MOST_LINKS);
+        refuted.find_map(|at| {
+            let shown = self.shown_for(statement, how, entry, at)?;
+            let before = shown.before.into_iter().take(at);
+            Some((before.collect(), shown.mended))
+        })
+    }
+
+    fn shown_for(
+        &self,
+        statement: &Statement,
+        how: &Circumstances,
+        entry: &Entry,
+        at: usize,
+    ) -> Option<Shown> {
+        let judged = &entry.judged[at];
+        let Outcome::Refuted(refuted) = &judged.outcome else {
+            return None;
+        };
         let (claim, witness) = (refuted.claim(), refuted.witness());
-        let slips = || slips(statement, &judged.goal, claim, Some(witness));
+        let slips = || slips(statement, &entry.judged, &judged.goal, claim, Some(witness));
         let samples = self.samples(how, entry, &judged.goal);
         let link = (entry, &judged.goal);
         let likely = || {
-            let slips = slips().such_that(|own| is_true_in(&samples, own));
+            let is_likely = |own: &Formula| samples.are_true_with(own);
+            let slips = slips().and_rarer().such_that(is_likely);
             self.first_shown(statement, how, link, slips, MOST_TRIED)
         };
         let any = || self.first_shown(statement, how, link, slips(), LIKELIEST);
-        let found = match samples.len() < FEWEST_SAMPLES {
+        let found = match samples.all.len() < FEWEST_SAMPLES {
             true => None,
             false => effort::altogether(MOST_WORK, likely),
         };
-        let found = found.or_else(|| effort::altogether(MOST_WORK, any));
-        Some(found?.mended)
+        found.or_else(|| effort::altogether(MOST_WORK, any))
     }
 
     /// Says of a step that is neither shown nor refuted that it fails, where it would have been shown with one small edit, and is false at a
@@ -90,19 +114,20 @@ impl Auditor<'_> {
         let judged = &entry.judged[open];
         let samples = self.samples(how, &entry, &judged.goal);
         let is_right = |own: &Sample| own.holds(&judged.goal.formula) == Some(true);
-        if samples.len() < FEWEST_SAMPLES || samples.iter().any(is_right) {
+        if samples.all.len() < FEWEST_SAMPLES || samples.all.iter().any(is_right) {
             return entry;
         }
         let (formula, assumed) = (&judged.goal.formula, &judged.assumed);
         let claim = self.derivation.claim(how.at, assumed, formula);
-        let slips = slips(statement, &judged.goal, &claim, None);
-        let slips = slips.such_that(|own| is_true_in(&samples, own));
+        let slips = slips(statement, &entry.judged, &judged.goal, &claim, None);
+        let slips = slips.and_rarer();
+        let slips = slips.such_that(|own| samples.are_true_with(own));
         let link = (&entry, &judged.goal);
         let shown = || self.first_shown(statement, how, link, slips, MOST_TRIED);
         let Some(shown) = effort::altogether(MOST_WORK, shown) else {
             return entry;
         };
-        let refuted = || self.refuted_beside(how.at, &judged.goal, &shown);
+        let refuted = || self.refuted_beside(how, &judged.goal, &shown);
         let Some(refuted) = effort::altogether(MOST_WORK, refuted) else {
             return entry;
         };
@@ -113,7 +138,8 @@ impl Auditor<'_> {
     }
 
     /// What is printed, refuted where all is true that something near to it was shown from, and so that as well.
-    fn refuted_beside(&self, at: usize, printed: &Goal, shown: &Shown) -> Option<Judged> {
+    fn refuted_beside(&self, how: &Circumstances, printed: &Goal, shown: &Shown) -> Option<Judged> {
+        let (at, usable) = (how.at, how.usable);
         let from = self.needed(at, shown);
         let decided = |assumed: Vec<Assumed>, formula: Formula| {
             let claim = self.derivation.claim(at, &assumed, &formula);
@@ -124,36 +150,62 @@ impl Auditor<'_> {
                 formula,
                 ..printed.clone()
             };
-            Some(Judged {
+            let judged = Judged {
                 goal,
                 assumed,
                 outcome: Outcome::Refuted(refuted.into()),
-            })
+            };
+            let judge = judge::Judge::new(self, at, usable);
+            judge.held_and_moving(&judged).is_none().then_some(judged)
         };
         let plain = decided(from.clone(), printed.formula.clone());
         let plain = plain.or_else(|| {
             let mut with_shown = from.clone();
-            with_shown.push(judge::taken(&shown.formula));
+            // What solves a law says how it varies.
+            let standing = match from.iter().any(|own| own.formula.speaks_of_slopes()) {
+                true => Standing::Identity,
+                false => Standing::AtPoint,
+            };
+            with_shown.push(Assumed {
+                standing,
+                ..judge::taken(&shown.formula)
+            });
             decided(with_shown, printed.formula.clone())
         });
         let plain = plain.or_else(|| {
             let between = between(&shown.formula, &printed.formula)?;
             decided(but_names(from.clone(), &between), between)
         });
-        plain.or_else(|| {
+        let plain = plain.or_else(|| {
             let known = but_integrals(&from, &printed.formula)?;
             decided(known, printed.formula.clone())
+        });
+        // What is false where all is positive is false.
+        plain.or_else(|| {
+            let between = between(&shown.formula, &printed.formula)?;
+            let symbols = between
+                .free_symbols()
+                .into_iter()
+                .filter(|own| !own.is_unit());
+            let positive = symbols.map(|own| Formula::positive(Expr::Symbol(own.clone())));
+            let mut all = but_names(from.clone(), &between);
+            all.extend(positive.map(|own| judge::condition(&own)));
+            decided(all, between)
         })
     }
 
     /// What something is shown from: what it is not shown from may stand in the way of a point.
     fn needed(&self, at: usize, shown: &Shown) -> Vec<Assumed> {
         let mut assumed = shown.from.clone();
+        // Nothing is shown from that, and of no point it is known whether it is true there.
+        assumed.retain(|own| !own.formula.is_approximation());
+        let follows = |assumed: &[Assumed]| {
+            let claim = self.derivation.claim(at, assumed, &shown.formula);
+            search::prove_unconditionally(claim, Effort::Full).is_some()
+        };
         for from in (0..assumed.len()).rev() {
             let own = assumed.remove(from);
-            let claim = self.derivation.claim(at, &assumed, &shown.formula);
-            let decision = search::decide(claim, &self.hints());
-            if !matches!(decision, Decision::Proven { .. }) {
+            if !follows(&assumed) {
                 assumed.insert(from, own);
             }
         }
@@ -161,40 +213,44 @@ impl Auditor<'_> {
     }
 
     /// Where all may be true that stands before a link.
-    fn samples(&self, how: &Circumstances, entry: &Entry, goal: &Goal) -> Vec<Sample> {
+    fn samples(&self, how: &Circumstances, entry: &Entry, goal: &Goal) -> Samples {
         let judge = judge::Judge::new(self, how.at, how.usable);
         let links = entry.judged.iter().map(|own| &own.goal);
         let links = links.take_while(|own| own.sides != goal.sides);
         let links: Vec<Assumed> = links.map(|own| judge::step(&own.formula)).collect();
-        let others = &judge.others(how.premises)[0];
+        let [near, all] = judge.others(how.premises);
         let open = judge.open_before(how.premises);
-        let all = [&how.usable.assumed, &links, others, &open];
-        let premises = all.into_iter().flatten().map(|own| &*own.formula);
-        let premises: Vec<&Formula> = premises.collect();
-        // Where something is, how it moves leaves open.
-        let mut still = premises.clone();
-        still.retain(|own| !own.speaks_of_slopes());
-        let sets = match goal.formula.speaks_of_slopes() || still.len() == premises.len() {
-            true => vec![&premises],
-            false => vec![&premises, &still],
+        let with = |others| -> Vec<&Formula> {
+            let all = [&how.usable.assumed, &links, others, &open];
+            all.into_iter().flatten().map(|own| &*own.formula).collect()
         };
+        let mut sets = vec![with(near)];
+        if !all.is_empty() {
+            sets.insert(0, with(all));
+        }
+        // Where something is, how it moves leaves open.
+        let mut still = sets[sets.len() - 1].clone();
+        still.retain(|own| !own.speaks_of_slopes());
+        if !goal.formula.speaks_of_slopes() && still.len() < sets[sets.len() - 1].len() {
+            sets.push(still);
+        }
         // What nobody says the sign of is mostly meant to be positive.
         let mut of_any_sign = Vec::new();
-        for premises in sets {
+        for premises in &sets {
             let mut found = where_true(premises, &goal.formula);
             if found.iter().filter(|own| own.is_positive()).count() >= FEWEST_SAMPLES {
                 found.retain(Sample::is_positive);
-                return found;
+                return Samples::new(found, &sets, &goal.formula);
             }
             of_any_sign.push(found);
         }
         let enough = of_any_sign
             .into_iter()
             .find(|own| own.len() >= FEWEST_SAMPLES);
-        let any = || seeds(&premises, &goal.formula).take(MOST_SAMPLES).collect();
+        let any = || seeds(&sets[0], &goal.formula).take(MOST_SAMPLES).collect();
         let mut found: Vec<Sample> = enough.unwrap_or_else(any);
         found.truncate(MOST_SAMPLES);
-        found
+        Samples::new(found, &sets, &goal.formula)
     }
 
     /// The first of some edits with which a link would have been shown; so many of them are tried in earnest.
@@ -253,6 +309,10 @@ impl Auditor<'_> {
             if is_supposed(&goal.formula, &under) {
                 continue;
             }
+            // What is shown where something stands still that moves is not shown.
+            if self.holds_what_changes(how.at, own) {
+                continue;
+            }
             let mut from = own.assumed.clone();
             from.retain(|own| !under.contains(&own.formula));
             from.extend(under.iter().map(judge::taken));
@@ -270,6 +330,7 @@ impl Auditor<'_> {
             }
             return Some(Shown {
                 formula: own.goal.formula.clone(),
+                before: other.judged.clone(),
                 from,
                 mended: Mended {
                     proven: (**proven).clone(),
@@ -280,6 +341,36 @@ impl Auditor<'_> {
             });
         }
         None
+    }
+
+    /// Whether something stands still by a condition of which the page writes how fast it changes, or that is integrated as what changes.
+    fn holds_what_changes(&self, at: usize, judged: &Judged) -> bool {
+        // What the text itself says to stand still does.
+        let conditions = judged
+            .assumed
+            .iter()
+            .filter(|own| own.source == Source::Step);
+        let formulas = conditions.map(|own| &*own.formula);
+        let mut held = formulas.filter(|own| stated::stands_still(own));
+        let is_integrated = |own: &Symbol, over: &Symbol| {
+            let is_one = |part: &Expr| match part {
+                Expr::Integral { body, variable, .. } => variable == over && body.mentions(own),
+                _ => false,
+            };
+            let mut terms = judged.goal.formula.terms().into_iter();
+            terms.any(|term| term.any(&is_one))
+        };
+        let moves = |own: &Formula| match own.as_equation() {
+            Some((Expr::Derivative { body, variable }, _)) => {
+                let mut of = body.free_symbols().into_iter();
+                of.any(|own| {
+                    self.writes_slope(at, &own, variable)
+                        || is_integrated(&own, variable) && self.changes(at, &own, variable)
+                })
+            }
+            _ => false,
+        };
+        held.any(moves)
     }
 
     /// Whether what is shown says what is printed, but for what both divide by, so that no pen slipped.
@@ -372,6 +463,8 @@ fn where_true(premises: &[&Formula], goal: &Formula) -> Vec<Sample> {
 /// A link that would have been shown, as it should read.
 struct Shown {
     formula: Formula,
+    /// All links of the edited statement.
+    before: Vec<Judged>,
     /// From what, and under what besides.
     from: Vec<Assumed>,
     mended: Mended,
@@ -405,14 +498,71 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
     let is_weighed = || edited.numeric.as_ref().is_none_or(|own| own.is_supported());
     match edited.verdict {
         Verdict::Holds => true,
-        Verdict::Undecided => is_weighed() && edited.judged.iter().all(fits),
+        Verdict::Undecided | Verdict::Given => is_weighed() && edited.judged.iter().all(fits),
         _ => false,
     }
 }
 
-fn is_true_in(samples: &[Sample], formula: &Formula) -> bool {
-    let mut samples = samples.iter();
-    samples.all(|sample| sample.holds(formula) == Some(true))
+/// Where all may be true that stands before a link.
+struct Samples {
+    all: Vec<Sample>,
+    /// What says how something changes that the link says what it is, with what else stands before; few links have that.
+    premises: Vec<Formula>,
+    /// What the link says what it is.
+    of: Option<Symbol>,
+}
+
+impl Samples {
+    fn new(all: Vec<Sample>, sets: &[Vec<&Formula>], goal: &Formula) -> Samples {
+        let of = goal.as_equation().and_then(|(left, _)| match left {
+            Expr::Symbol(own) | Expr::Apply(own, _) => Some(own.clone()),
+            _ => None,
+        });
+        let premises = sets.first().into_iter().flatten();
+        let is_told = of
+            .as_ref()
+            .is_some_and(|of| premises.clone().any(|own| says_how_changes(own, of)));
+        Samples {
+            all,
+            premises: match is_told {
+                true => premises.map(|own| (*own).clone()).collect(),
+                false => Vec::new(),
+            },
+            of: of.filter(|_| is_told),
+        }
+    }
+
+    /// Whether something near to the link is true wherever the premises are, or they are true with it: `w = \frac{F x^2}{6 E I} (3 L - x)`
+    /// beside `E I \frac{dw}{dx} = F (L x - \frac{x^2}{2})`.
+    fn are_true_with(&self, formula: &Formula) -> bool {
+        if self.all.iter().all(|own| own.holds(formula) == Some(true)) {
+            return true;
+        }
+        let Some(of) = &self.of else {
+            return false;
+        };
+        let (laws, others): (Vec<&Formula>, Vec<&Formula>) = self
+            .premises
+            .iter()
+            .partition(|own| says_how_changes(own, of));
+        (0..MOST_SAMPLES_WITH).all(|seed| {
+            let all = [formula].into_iter().chain(others.iter().copied());
+            let sample = Sample::of(all, laws[0], seed);
+            laws.iter().all(|own| sample.holds(own) == Some(true))
+        })
+    }
+}
+
+/// Whether a formula is a law of how something changes.
+fn says_how_changes(formula: &Formula, of: &Symbol) -> bool {
+    let is_slope = |part: &Expr| match part {
+        Expr::Derivative { body, .. } => {
+            matches!(&**body, Expr::Symbol(own) | Expr::Apply(own, _) if own == of)
+        }
+        _ => false,
+    };
+    let mut terms = formula.terms().into_iter();
+    formula.as_equation().is_some() && terms.any(|term| term.any(&is_slope))
 }
 
 /// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.
@@ -432,19 +582,40 @@ fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
 }
 
 /// What is assumed, but for what only gives names to things of which nothing else speaks: what is true without these is true with them.
+///
+/// What such a name stands beside is not 0: `E I w(x) = F x^2` says what `w(x)` is where `E I ≠ 0`.
 pub(super) fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assumed> {
     loop {
-        let is_name = |at: &usize| {
-            let named = assumed[*at].formula.as_equation();
+        let beside = |at: usize| {
+            let (left, right) = assumed[at].formula.as_equation()?;
             let mut others: Vec<&Formula> = vec![goal];
-            let rest = assumed.iter().enumerate().filter(|(other, _)| other != at);
+            let rest = assumed.iter().enumerate().filter(|(other, _)| *other != at);
             others.extend(rest.map(|(_, own)| &*own.formula));
-            named.is_some_and(|(left, right)| names(left, right, &others))
+            if names(left, right, &others) {
+                return Some((at, Vec::new()));
+            }
+            let sides = [(left, right), (right, left)].into_iter();
+            sides
+                .filter_map(|(product, value)| match product {
+                    Expr::Product(factors) => Some((factors, value)),
+                    _ => None,
+                })
+                .find_map(|(factors, value)| {
+                    (0..factors.len()).find_map(|named| {
+                        let mut beside = factors.to_vec();
+                        let named = beside.remove(named);
+                        let said = Formula::nonzero(product_of(beside.clone()));
+                        let others: Vec<&Formula> = others.iter().copied().chain([&said]).collect();
+                        names(&named, value, &others).then_some((at, beside))
+                    })
+                })
         };
-        let Some(at) = (0..assumed.len()).rev().find(is_name) else {
+        let Some((at, beside)) = (0..assumed.len()).rev().find_map(beside) else {
             return assumed;
         };
         assumed.remove(at);
+        let nonzero = beside.into_iter().map(Formula::nonzero);
+        assumed.extend(nonzero.map(|own| judge::condition(&own)));
     }
 }
 
@@ -510,17 +681,24 @@ fn is_of(part: &Expr, symbol: &Symbol) -> bool {
 
 fn slips<'a>(
     statement: &Statement,
+    judged: &[Judged],
     goal: &Goal,
     claim: &'a Claim,
     witness: Option<&Assignment>,
 ) -> Slips<'a> {
+    // What a link begins with may be wrong itself, unless the link before has shown it.
+    let goes_on =
+        |own: &&Judged| own.goal.clause == goal.clause && own.goal.sides.1 == goal.sides.0;
+    let before = judged.iter().find(goes_on);
+    let is_taken =
+        before.is_some_and(|own| matches!(own.outcome, Outcome::Defined | Outcome::Stated));
     let begins = statement.clauses.get(goal.clause);
     let begins = begins.is_some_and(|clause| match clause {
         Clause::Chain { sides, .. } => sides[0].span == goal.sides.0,
         Clause::AllEqual { .. } => true,
     });
     let chain = InChain {
-        left_settled: !begins,
+        left_settled: !begins && !is_taken,
         ..InChain::default()
     };
     Slips::of(claim, &chain, witness, values_at)

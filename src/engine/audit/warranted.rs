@@ -56,7 +56,10 @@ impl Auditor<'_> {
         }
         let slip = || self.slip_in(statement, how, &entry);
         match is_first.then(slip).flatten() {
-            Some(mended) => {
+            Some((before, mended)) => {
+                for (own, edited) in entry.judged.iter_mut().zip(before) {
+                    *own = edited;
+                }
                 (entry.mended, entry.implied) = (Some(Box::new(mended)), None);
                 entry.missing.clear();
             }

@@ -24,7 +24,7 @@ use self::rivals::exclude_each_other;
 
 pub(super) use self::moment::said_of_moment;
 pub use self::moment::{Moment, is_put};
-pub(super) use self::vanishing::{MOST_BEFORE, give_the_same, rate_of, slope_by};
+pub(super) use self::vanishing::{MOST_BEFORE, give_the_same, rate_of, rates_at, slope_by};
 
 /// A hypothesis that is in effect in a part of a page.
 #[derive(Clone, Debug)]

@@ -284,6 +284,8 @@ pub enum SuppositionKind {
     Vanishes(Vanishing),
     /// "In equilibrium the right-hand side of (1) vanishes": the same, as long as nothing changes.
     StandsStill(Vanishing),
+    /// "Steady states of (1) satisfy": what is cited there says how fast something changes, or the display before, and that is zero.
+    AtRest,
     /// "It must be equal to one", "Equating (1) and (2)": what is said at the first place has the value that is named at the second.
     Equals(Vanishing, Vanishing, Span),
     /// "If $x$ is negative, then", "When $m_1$ exceeds $m_2$,": a case, in which that is so of what stands there; of nought where there is no

@@ -138,10 +138,10 @@ fn move_citation(citation: &mut Citation, by: usize) {
 
 fn move_supposition(supposition: &mut Supposition, by: usize) {
     use SuppositionKind::{
-        Abbreviation, Alternative, Anew, Arbitrary, Assume, Case, Common, Compared, Contradicted,
-        Contrary, Define, Elsewhere, Equals, Fact, Figure, General, InAllCases, Initial, Known,
-        Let, Meaning, Moment, OfKind, Otherwise, SolvedFor, StandsStill, StationaryBy, TakenUp,
-        Unread, Vanishes,
+        Abbreviation, Alternative, Anew, Arbitrary, Assume, AtRest, Case, Common, Compared,
+        Contradicted, Contrary, Define, Elsewhere, Equals, Fact, Figure, General, InAllCases,
+        Initial, Known, Let, Meaning, Moment, OfKind, Otherwise, SolvedFor, StandsStill,
+        StationaryBy, TakenUp, Unread, Vanishes,
     };
     let Supposition { kind, body } = supposition;
     shift(body, by);
@@ -160,6 +160,7 @@ fn move_supposition(supposition: &mut Supposition, by: usize) {
         | Known
         | Vanishes(_)
         | StandsStill(_)
+        | AtRest
         | Unread
         | Alternative
         | TakenUp(_)

@@ -24,6 +24,7 @@ mod neglected;
 mod over;
 mod reach;
 mod reason;
+mod resting;
 mod retraction;
 mod stationary;
 mod telling;

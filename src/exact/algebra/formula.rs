@@ -144,6 +144,17 @@ impl Formula {
         }
     }
 
+    /// Whether it says that something is about something else.
+    pub fn is_approximation(&self) -> bool {
+        matches!(
+            self,
+            Formula::Relation {
+                relation: Relation::Approximately,
+                ..
+            }
+        )
+    }
+
     /// Whether this says which of two numbers is the greater.
     pub fn is_inequality(&self) -> bool {
         use Relation::{Greater, GreaterOrEqual, Less, LessOrEqual};

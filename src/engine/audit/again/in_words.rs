@@ -22,9 +22,10 @@ const ALIKE: [&str; 10] = [
     "same",
 ];
 /// With one of these it sets something against what stands before.
-const SET_AGAINST: [&str; 6] = [
-    "whereas", "while", "contrast", "instead", "rather", "reduced",
-];
+const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
+/// So it is with this before one of these: a "reduced length" is no other length than before.
+const REDUCED: &str = "reduced";
+const BY_HOW_MUCH: [&str; 3] = ["to", "by", "from"];
 /// What words say of what does not change, and of what they say it.
 const CONSERVED: &str = "conserved";
 const CONSERVABLE: [&str; 5] = ["energy", "angular momentum", "momentum", "charge", "mass"];
@@ -102,7 +103,9 @@ impl Judge<'_> {
 
     /// Whether words set what is said against what stands before: "The wall moment is then reduced to".
     pub(in crate::audit) fn sets_against(&self) -> bool {
-        self.says(&SET_AGAINST)
+        let words = self.derivation.leading_words(self.at);
+        let is_reduced = |pair: &[String]| matches!(pair, [one, next] if *one == REDUCED && BY_HOW_MUCH.contains(&&**next));
+        self.says(&SET_AGAINST) || words.windows(2).any(is_reduced)
     }
 
     /// Leaves open what was refuted after a law that only words name: "Kinetic energy is conserved as well", where no display says that.

@@ -79,7 +79,7 @@ impl Judge<'_> {
 
     /// What a counterexample holds constant in a limit or integral of the goal, and the page lets change with what runs there: `u(0)` of
     /// a profile `u(r)`.
-    pub(super) fn held_and_moving(&self, judged: &Judged) -> Option<Symbol> {
+    pub(in crate::audit) fn held_and_moving(&self, judged: &Judged) -> Option<Symbol> {
         let Outcome::Refuted(refuted) = &judged.outcome else {
             return None;
         };

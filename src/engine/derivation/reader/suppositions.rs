@@ -12,7 +12,9 @@ use crate::sorted::Set;
 use super::super::equation::formulas;
 use super::super::qualities;
 use super::super::rows::{self, Part};
-use super::super::supposed::{Local, MOST_BEFORE, give_the_same, parts_sentences, rate_of};
+use super::super::supposed::{
+    Local, MOST_BEFORE, give_the_same, parts_sentences, rate_of, rates_at,
+};
 use super::Reader;
 
 impl Reader<'_> {
@@ -117,6 +119,15 @@ impl Reader<'_> {
                     // Of what has no letter nobody knows what it is to be zero.
                     None => self.between.unread.push(body),
                 }
+            }
+            SuppositionKind::AtRest => {
+                let rates = rates_at((body, &self.equations[..], cited));
+                // That says all that the equation says here.
+                if !rates.is_empty() {
+                    self.between.cited.retain(|own| own.span != body);
+                    self.between.rests = true;
+                }
+                active.extend(rates.into_iter().map(|rate| page.suppose_rest(rate, body)));
             }
             SuppositionKind::Equals(what, to, value_at) => {
                 let term = |what, body| page.vanishing(what, (body, &self.equations, cited));

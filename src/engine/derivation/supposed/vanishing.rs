@@ -1,6 +1,6 @@
 //! What words say is zero, or has a value, without writing it as an equation: "Setting the derivative to zero".
 
-use crate::algebra::Expr;
+use crate::algebra::{Expr, Formula};
 use crate::document::{Citation, Span, Vanishing};
 use crate::notation::{Clause, read_expr};
 
@@ -11,6 +11,8 @@ use super::super::rows::{self, Part};
 
 /// How many displays back is looked for what prose says to be zero.
 pub(in crate::derivation) const MOST_BEFORE: usize = 6;
+/// By these things change in time.
+const TIMES: [&str; 2] = ["t", "\\tau"];
 
 impl Page {
     /// What prose says to be zero, or to have a value, where that is known: at its place in the text, after these equations, and with what
@@ -175,6 +177,31 @@ pub(in crate::derivation) fn rate_of(slope: &Expr, equations: &[Equation]) -> Op
     let rate = right_side(before.find(|own| left_side(own) == Some(slope))?)?;
     let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
     (!changes).then(|| rate.clone())
+}
+
+/// How fast all changes of which an equation says that, of what is cited at a place or else of the last that does: where nothing changes,
+/// these are zero.
+pub(in crate::derivation) fn rates_at(
+    (body, equations, cited): (Span, &[Equation], &[Citation]),
+) -> Vec<Expr> {
+    let rates = |own: &Equation| -> Vec<Expr> {
+        let all = own.statements().iter().flat_map(formulas);
+        let rate = |law: Formula| match law.as_equation()? {
+            // "In the steady state" heat flows all the same.
+            (Expr::Derivative { variable, .. }, rate) if TIMES.contains(&variable.name()) => {
+                let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
+                (!changes).then(|| rate.clone())
+            }
+            _ => None,
+        };
+        all.filter_map(rate).collect()
+    };
+    if let Some(cited) = cited_there(body, cited) {
+        return equation_of(cited, equations).map_or_else(Vec::new, rates);
+    }
+    let before = equations.iter().rev().take(MOST_BEFORE).map(rates);
+    let mut before = before.filter(|own| !own.is_empty());
+    before.next().unwrap_or_default()
 }
 
 /// What is cited at a place.

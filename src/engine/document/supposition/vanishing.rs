@@ -11,6 +11,7 @@ use super::super::{Span, Supposition, SuppositionKind, Vanishing};
 use super::around::follows;
 use super::mathematics::{is_slope, is_value, says_zero, stated, text};
 use super::neglected;
+use super::resting;
 use super::stationary;
 use super::words::{DENYING, DOUBTFUL};
 
@@ -93,12 +94,13 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Supposition> {
         .collect();
     let puts = |(token, _): &Placed<'_>| token.is_among(&PUTTING) || says_zero(source, *token);
     for (number, &sentence) in sentences.iter().enumerate() {
-        // Most sentences say nothing of the kind.
-        if !sentence.iter().any(puts) {
-            continue;
-        }
         // What leads on to a display is said of it.
         let leads = sentence.as_ptr_range().end == tokens.as_ptr_range().end;
+        // Most sentences say nothing of the kind.
+        if !sentence.iter().any(puts) {
+            found.extend(resting::read(source, sentence, leads));
+            continue;
+        }
         // "The field vanishes at the centre. Differentiating (2)," gives the slope everywhere.
         let next_leads = |next: &&[Placed<'_>]| {
             next.as_ptr_range().end == tokens.as_ptr_range().end

@@ -216,7 +216,8 @@ fn minuses(term: &Expr) -> usize {
     own + term.children().map(minuses).sum::<usize>()
 }
 
-fn parts(term: &Expr) -> usize {
+/// How many parts a term has.
+pub fn parts(term: &Expr) -> usize {
     1 + term.children().map(parts).sum::<usize>()
 }
 

@@ -4,6 +4,7 @@
 //! point on the premises; the few that are left go to the kernel.
 
 mod edits;
+mod rarer;
 mod vacuous;
 
 use std::cell::OnceCell;
@@ -21,6 +22,7 @@ use super::{
 use crate::sorted::Set;
 pub use edits::{Change, Edit};
 use edits::{Names, edits};
+use rarer::rarer_edits;
 use vacuous::{is_vacuous, says_nothing};
 
 /// How many edits that are true at every point are handed to the prover.
@@ -111,6 +113,7 @@ pub fn mended(
 /// asks to find out: more may be known than the claim says, so that what is false at a point comes late, and is not left out.
 pub struct Slips<'a> {
     claim: &'a Claim,
+    chain: InChain,
     /// By what speaks against each, and in which order they were made.
     left: BTreeMap<(u32, usize), Slip>,
     /// Points at which all premises hold.
@@ -169,9 +172,29 @@ impl<'a> Slips<'a> {
         }
         Slips {
             claim,
+            chain: chain.clone(),
             left,
             points: witness.cloned().into_iter().collect(),
         }
+    }
+
+    /// With those that are rarer, of which there are too many to try them all.
+    #[must_use]
+    pub fn and_rarer(mut self) -> Slips<'a> {
+        let is_solved = matches!(self.claim.goal.as_equation(), Some((Expr::Symbol(_), _)));
+        let left_settled = self.chain.left_settled || is_solved;
+        let rarer = rarer_edits(&self.claim.goal).into_iter();
+        let rarer = rarer.filter(|edit| {
+            (edit.left_kept || !left_settled) && (edit.right_kept || !self.chain.right_settled)
+        });
+        for edit in rarer {
+            let slip = Slip {
+                edit,
+                is_weighed: false,
+            };
+            self.left.insert((slip.edit.cost, self.left.len()), slip);
+        }
+        self
     }
 
     /// Only those that are found worth a try.
