@@ -3,7 +3,9 @@
 mod by_name;
 mod told;
 
+use std::cell::LazyCell;
 use std::collections::BTreeSet;
+use std::ops::Deref;
 use std::sync::Arc;
 
 use crate::algebra::{Base, Dimension, Expr, Formula, Function, Rational, Symbol, element_parts};
@@ -113,6 +115,7 @@ impl Dimensions {
         let mut pending = (0..locals.len()).peekable();
         // What has a number for a value, by supposition: under `let v_0 = 1`, velocities may be compared with numbers.
         let mut numbers: Tree<usize, Vec<Said>> = Tree::new();
+        let spoken = LazyCell::new(|| spoken_of(derivation, page));
         for at in from..to {
             let equation = &derivation.equations[at];
             while let Some(local) = pending.next_if(|&l| locals[l].span.start < equation.span.start)
@@ -128,10 +131,15 @@ impl Dimensions {
                 self.skipped.insert(at);
                 continue;
             }
+            let own_constants = constants_of_pieces(equation.statements(), &spoken);
             for (part, statement) in equation.statements().iter().enumerate() {
                 let mut compared = formulas(statement);
                 compared.extend(conditions(statement));
-                let readings = self.readings(page, compared);
+                let scope = match own_constants.is_empty() {
+                    true => Arc::clone(&self.scopes[page]),
+                    false => self.scope_of_piece(page, &own_constants),
+                };
+                let readings = readings(&scope, compared);
                 let crossed = is_crossed_out(statement);
                 let read = self
                     .inference
@@ -146,12 +154,16 @@ impl Dimensions {
         }
     }
 
-    fn readings(&self, page: usize, formulas: Vec<Formula>) -> Vec<Reading> {
-        let reading = |formula| Reading {
-            formula,
-            scope: Arc::clone(&self.scopes[page]),
-        };
-        formulas.into_iter().map(reading).collect()
+    /// What is said of the symbols of a page, but for what may be another thing in each piece.
+    fn scope_of_piece(&mut self, page: usize, own: &BTreeSet<Symbol>) -> Arc<Scope> {
+        let mut scope = Scope::clone(&self.scopes[page]);
+        for symbol in own {
+            if matches!(scope.symbols.get(symbol), Some(Said::Unknown(_))) {
+                let unknown = self.unknown(symbol);
+                scope.symbols.insert(symbol.clone(), unknown);
+            }
+        }
+        Arc::new(scope)
     }
 
     fn supposition(
@@ -171,7 +183,8 @@ impl Dimensions {
             }
             None => true,
         });
-        let readings = self.readings(page, formulas.iter().map(|f| Formula::clone(f)).collect());
+        let formulas = formulas.iter().map(|f| Formula::clone(f)).collect();
+        let readings = readings(&self.scopes[page], formulas);
         if let Err(conflict) = self
             .inference
             .read(&readings, &Source::Local(page, at), false)
@@ -192,6 +205,54 @@ impl Dimensions {
         self.unknowns.push(name.clone());
         Said::Unknown(Unknown(self.unknowns.len() - 1))
     }
+}
+
+fn readings(scope: &Arc<Scope>, formulas: Vec<Formula>) -> Vec<Reading> {
+    let reading = |formula| Reading {
+        formula,
+        scope: Arc::clone(scope),
+    };
+    formulas.into_iter().map(reading).collect()
+}
+
+/// How many displays of a page speak of each symbol; what is supposed besides counts for two.
+fn spoken_of(derivation: &Derivation, page: usize) -> Tree<Symbol, usize> {
+    let mut found = Tree::new();
+    let mut count = |formulas: Vec<Formula>, times: usize| {
+        let all: BTreeSet<Symbol> = formulas.iter().flat_map(Formula::free_symbols).collect();
+        for symbol in all {
+            *found.entry(symbol).or_default() += times;
+        }
+    };
+    for at in derivation.equations_of(page) {
+        let statements = derivation.equations[at].statements().iter();
+        count(statements.flat_map(formulas).collect(), 1);
+    }
+    for local in &derivation.pages[page].locals {
+        count(
+            local
+                .formulas
+                .iter()
+                .map(|own| Formula::clone(own))
+                .collect(),
+            2,
+        );
+    }
+    found
+}
+
+/// The symbols that stand in a display by pieces alone, `(A + B t) e^{-γ t}` for `γ = ω` and `A e^{α t} + B e^{β t}` for `γ > ω`: constants,
+/// and in each piece they may be others.
+fn constants_of_pieces(
+    pieces: &[Statement],
+    spoken: &impl Deref<Target = Tree<Symbol, usize>>,
+) -> BTreeSet<Symbol> {
+    if pieces.len() < 2 || pieces.iter().any(|own| own.under.is_empty()) {
+        return BTreeSet::new();
+    }
+    let formulas: Vec<Formula> = pieces.iter().flat_map(formulas).collect();
+    let own = formulas.iter().flat_map(Formula::free_symbols);
+    own.filter(|own| spoken.get(own) == Some(&1)).collect()
 }
 
 /// Whether a supposition is one that is tried, `x = e^{s t}`: the amplitude is left out, and with it the dimension.

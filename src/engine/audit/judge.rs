@@ -226,6 +226,14 @@ impl Judge<'_> {
                 plain_symbol(symbol)
             ));
         }
+        if found.judged.outcome.is_proven()
+            && let Some(twice) = self.joins_two_sections(&found.judged, premises)
+        {
+            let twice = plain(&twice);
+            found.leave_open(format!(
+                "it joins what two sections say of `{twice}`, and they may speak of different cases"
+            ));
+        }
         if !found.judged.outcome.is_proven()
             && found.contradictory.is_empty()
             && let Some(own) = self.integrated(goal, premises)

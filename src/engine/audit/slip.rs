@@ -315,7 +315,10 @@ impl Auditor<'_> {
             }
             let mut from = own.assumed.clone();
             from.retain(|own| !under.contains(&own.formula));
-            from.extend(under.iter().map(judge::taken));
+            from.extend(under.iter().map(|own| Assumed {
+                standing: judge::condition(own).standing,
+                ..judge::taken(own)
+            }));
             // Where nothing can be so, anything would have been shown: `\sqrt{-K p}` where `K > 0` and `p > 0`. What is shown has values
             // itself, and so it is supposed, too.
             let is_contradictory = || {

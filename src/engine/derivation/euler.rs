@@ -261,6 +261,20 @@ impl Page {
                 raised(self.exponentials(exponent, is_power))
             }
             term if is_euler(term) => raised(Expr::integer(1)),
+            // A number is not held fixed.
+            Expr::Partial {
+                body,
+                variable,
+                held: Some(held),
+            } => {
+                let held = held.iter().filter(|own| !self.euler.contains(*own));
+                let held: Box<[Symbol]> = held.cloned().collect();
+                Expr::Partial {
+                    body: self.exponentials(body, is_power).into(),
+                    variable: variable.clone(),
+                    held: (!held.is_empty()).then_some(held),
+                }
+            }
             term => term.map_children(|child| self.exponentials(child, is_power)),
         }
     }

@@ -100,6 +100,7 @@ impl Said {
         if variables.is_empty() {
             return self.with_parameters(body, constant);
         }
+        let mut is_told = false;
         let together = match name_of(&body).cloned() {
             Some(name) => self
                 .formula(&name, &variables, others)
@@ -107,7 +108,19 @@ impl Said {
                     body = of;
                     together
                 }),
-            None => self.evaluated(&body, &variables, others),
+            None => {
+                let own = function_of(&body).cloned();
+                let own =
+                    own.and_then(|name| Some((self.formula(&name, &variables, others)?, name)));
+                match own {
+                    Some(((of, together), name)) => {
+                        body = body.replace(&Expr::Symbol(name), &of);
+                        is_told = true;
+                        Some(together)
+                    }
+                    None => self.evaluated(&body, &variables, others),
+                }
+            }
         };
         let held_with = |variable: &Symbol| {
             let held = together.as_ref()?.iter();
@@ -115,7 +128,7 @@ impl Said {
             let held: Box<[Symbol]> = held.cloned().collect();
             (!held.is_empty()).then_some(held)
         };
-        let presumed = name_of(&body).is_none() && together.is_some();
+        let presumed = name_of(&body).is_none() && !is_told && together.is_some();
         let derived = |body: Expr, variable: Symbol| Expr::Partial {
             body: body.into(),
             held: held_with(&variable),
@@ -178,6 +191,21 @@ fn equal_sides(clause: &Clause) -> Vec<&Expr> {
 }
 
 /// The name of what is given or differentiated.
+/// What a function is taken of, if it is of a name alone: `\ln z`, `v^2`.
+fn function_of(term: &Expr) -> Option<&Symbol> {
+    match term {
+        Expr::Call(_, inner) | Expr::Negate(inner) => match &**inner {
+            Expr::Symbol(name) => Some(name),
+            inner => function_of(inner),
+        },
+        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => match &**base {
+            Expr::Symbol(name) => Some(name),
+            base => function_of(base),
+        },
+        _ => None,
+    }
+}
+
 fn name_of(term: &Expr) -> Option<&Symbol> {
     match term {
         Expr::Symbol(name) | Expr::Apply(name, _) => Some(name),

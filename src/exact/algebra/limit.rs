@@ -292,11 +292,51 @@ impl Lowering<'_> {
         let &[var] = &found[..] else {
             return Ok(None);
         };
-        let rate = self.rate(var, variable)?;
+        let rate = self.rate_far_out(var, variable)?;
         Ok(match rate {
             Some(rate) => Some((var, sign_of_fraction(&rate)?)),
             None => None,
         })
+    }
+
+    /// The leading coefficient of f'/f, where that is a polynomial in the variable with coefficients that do not move: if it is positive, f
+    /// grows towards plus infinity at least as an exponential does, `e^{a x^2 + b x}` as `a > 0`.
+    fn rate_far_out(
+        &mut self,
+        var: Var,
+        variable: &Symbol,
+    ) -> Result<Option<Fraction>, LowerError> {
+        let slope = self.atom_derivative(var, variable)?;
+        let own = Fraction::from(Polynomial::var(var));
+        let Some(inverse) = own.recip()? else {
+            return Ok(None);
+        };
+        let rate = slope.times(&inverse)?;
+        let variable_atom = self.atom_of_symbol(variable);
+        let own = self.atoms.var(variable_atom);
+        let coefficients = rate.numerator().in_powers_of(own);
+        let below = rate.denominator().map(|(factor, _)| factor);
+        let stays = |polynomial: &Polynomial| {
+            polynomial
+                .vars()
+                .iter()
+                .all(|&var| var != own && self.is_constant(self.atoms.atom(var), variable))
+        };
+        if !coefficients.iter().chain(below).all(stays) {
+            return Ok(None);
+        }
+        let Some(leading) = coefficients.last().filter(|own| !own.is_zero()) else {
+            return Ok(None);
+        };
+        let mut far_out = Fraction::from(leading.clone());
+        for (factor, exponent) in rate.denominator() {
+            let own = Fraction::from(factor.clone()).pow(exponent)?;
+            let Some(inverse) = own.recip()? else {
+                return Ok(None);
+            };
+            far_out = far_out.times(&inverse)?;
+        }
+        Ok(Some(far_out))
     }
 
     /// What must not vanish, or must be positive, near the point: as a polynomial in what grows, fastest first, it does if its

@@ -58,7 +58,8 @@ impl Judge<'_> {
         conditions.is_some_and(|conditions| {
             self.holds_under(goal, set.clone(), &conditions, Effort::Full, found)
         }) || takes_root && self.follows_by_signs(goal, &set, found)
-            || takes_logarithm && self.follows_by_signs(goal, &[], found)
+            || (takes_logarithm || takes_root && integrates(&goal.formula))
+                && self.follows_by_signs(goal, &[], found)
             || effort == Effort::Full && self.follows_on_one_side(goal, &set, found)
     }
 
@@ -437,6 +438,11 @@ pub(super) fn collect_divisors(term: &Expr, found: &mut Vec<Expr>) {
 /// Whether a root is written in a formula.
 pub(super) fn takes_root(formula: &Formula) -> bool {
     any_part(formula, &Expr::is_root)
+}
+
+/// Whether something is integrated in a formula.
+fn integrates(formula: &Formula) -> bool {
+    any_part(formula, &|part| matches!(part, Expr::Integral { .. }))
 }
 
 /// Whether a logarithm is taken in a formula.

@@ -57,7 +57,7 @@ impl Judge<'_> {
         variables.extend(slopes);
         (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
             || (self.compared(goal, set).iter())
-                .any(|(variable, own)| self.holds_for_all(variable, goal, own, found))
+                .any(|(variable, own)| self.holds_compared(variable, goal, own, found))
     }
 
     /// The same for every value of one variable.
@@ -69,9 +69,31 @@ impl Judge<'_> {
         found: &mut Found,
     ) -> bool {
         let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let Some(held) = self.held(&claim, variable) else {
-            return false;
-        };
+        let held = self.held(&claim, variable);
+        held.is_some_and(|held| self.holds_beside((variable, held, claim), goal, set, found))
+    }
+
+    /// The same where words say that what is so for every value is compared.
+    fn holds_compared(
+        &self,
+        variable: &Symbol,
+        goal: &Goal,
+        set: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        let held = self.held_compared(&claim, variable);
+        held.is_some_and(|held| self.holds_beside((variable, held, claim), goal, set, found))
+    }
+
+    /// Whether the step holds for every value of a variable beside which some symbols do not move.
+    fn holds_beside(
+        &self,
+        (variable, held, claim): (&Symbol, Vec<Symbol>, Claim),
+        goal: &Goal,
+        set: &[Assumed],
+        found: &mut Found,
+    ) -> bool {
         let proved = |assumed: &[Assumed]| {
             let claim = self.derivation.claim(self.at, assumed, &goal.formula);
             let claim = search::with_constants(claim, held.iter().cloned());
@@ -142,7 +164,11 @@ impl Judge<'_> {
         let variables = self.variables_left_out(goal, &set);
         effort::within(MOST_WORK, || {
             let mut variables = variables.iter();
-            variables.find_map(|variable| self.fails_for_all(variable, goal, &set))
+            variables.find_map(|variable| {
+                let claim = self.derivation.claim(self.at, &set, &goal.formula);
+                let held = self.held(&claim, variable)?;
+                self.fails_for_all((variable, held, claim), goal, &set)
+            })
         })
     }
 
@@ -160,14 +186,21 @@ impl Judge<'_> {
         let set = near.unwrap_or_else(|| cited.clone());
         let compared = self.compared(goal, &set);
         effort::within(MOST_WORK, || {
-            (compared.iter()).find_map(|(variable, own)| self.fails_for_all(variable, goal, own))
+            (compared.iter()).find_map(|(variable, own)| {
+                let claim = self.derivation.claim(self.at, own, &goal.formula);
+                let held = self.held_compared(&claim, variable)?;
+                self.fails_for_all((variable, held, claim), goal, own)
+            })
         })
     }
 
     /// The same for every value of one variable.
-    fn fails_for_all(&self, variable: &Symbol, goal: &Goal, set: &[Assumed]) -> Option<Found> {
-        let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let held = self.held(&claim, variable)?;
+    fn fails_for_all(
+        &self,
+        (variable, held, claim): (&Symbol, Vec<Symbol>, Claim),
+        goal: &Goal,
+        set: &[Assumed],
+    ) -> Option<Found> {
         let first = slopes(set, &held, variable);
         if first.is_empty() {
             return None;
@@ -265,15 +298,24 @@ impl Judge<'_> {
 
     /// What is not said to move with a variable. Nothing where that is too much, or nothing.
     fn held(&self, claim: &Claim, variable: &Symbol) -> Option<Vec<Symbol>> {
-        let named = claim.free_symbols().into_iter();
-        let held = named.filter(|&own| {
-            own != variable
-                && !is_number(own, claim)
-                && !self.auditor.changes(self.at, own, variable)
-        });
-        let held: Vec<Symbol> = held.cloned().collect();
-        (1..=MOST_HELD).contains(&held.len()).then_some(held)
+        held(claim, variable, |own| {
+            self.auditor.changes(self.at, own, variable)
+        })
     }
+
+    /// The same in terms that are compared for every value of the variable: all that has no slope are coefficients.
+    fn held_compared(&self, claim: &Claim, variable: &Symbol) -> Option<Vec<Symbol>> {
+        held(claim, variable, |own| {
+            self.auditor.writes_slope(self.at, own, variable)
+        })
+    }
+}
+
+fn held(claim: &Claim, variable: &Symbol, moves: impl Fn(&Symbol) -> bool) -> Option<Vec<Symbol>> {
+    let named = claim.free_symbols().into_iter();
+    let held = named.filter(|&own| own != variable && !is_number(own, claim) && !moves(own));
+    let held: Vec<Symbol> = held.cloned().collect();
+    (1..=MOST_HELD).contains(&held.len()).then_some(held)
 }
 
 /// Whether a symbol is a unit or π.

@@ -4,6 +4,7 @@
 //! itself once these have the dimensions that the text gives them in. What the text calls by the names of quantities, "a rod of length $L$", is
 //! less certain: with these all that the page says is held together, and one statement is at fault where all the others agree without it.
 
+use std::cell::LazyCell;
 use std::sync::Arc;
 
 use crate::algebra::{Dimension, Expr, Formula, Function, Rational, Symbol};
@@ -244,9 +245,21 @@ fn rows(derivation: &Derivation, page: usize) -> Vec<Row> {
             },
         ));
     }
+    let spoken = LazyCell::new(|| super::spoken_of(derivation, page));
     for at in derivation.equations_of(page) {
         let equation = &derivation.equations[at];
+        let constants = super::constants_of_pieces(equation.statements(), &spoken);
+        let is_constant = |own: &Symbol| constants.contains(own);
         for (part, statement) in equation.statements().iter().enumerate() {
+            // What they are in another piece they need not be in this one.
+            if part > 0
+                && !constants.is_empty()
+                && formulas(statement)
+                    .iter()
+                    .any(|own| own.free_symbols().iter().any(is_constant))
+            {
+                continue;
+            }
             rows.push((
                 equation.span.start,
                 Row {

@@ -9,7 +9,7 @@ use crate::kernel::{Assignment, Obligation, Refuted};
 use crate::search::{self, Change, Decision, Derived, Effort, Mended, Stop};
 
 use super::super::{Judged, Outcome};
-use super::{CONTRADICTORY, Found, Judge, NEARBY, sources, step};
+use super::{CONTRADICTORY, Found, Judge, NEARBY, condition, sources};
 
 const FARTHER: [(usize, Effort); 2] = [(40, Effort::Light), (12, Effort::Full)];
 
@@ -132,7 +132,7 @@ impl Judge<'_> {
             return;
         }
         // A condition that the premises rule out proves nothing.
-        let with = conditions.iter().map(step);
+        let with = conditions.iter().map(condition);
         let all: Vec<Assumed> = assumed.iter().cloned().chain(with).collect();
         if self.is_contradictory(&all, goal) {
             found.contradictory = sources(assumed);
@@ -147,7 +147,7 @@ impl Judge<'_> {
             Some((derived, posed)) => self.least(all, goal, &posed, derived),
             None => (all, derived.proven),
         };
-        let is_kept = |own: &Formula| kept.contains(&step(own));
+        let is_kept = |own: &Formula| kept.contains(&condition(own));
         found.conditions = conditions.into_iter().filter(is_kept).collect();
         found.judged.assumed = kept;
         found.judged.outcome = Outcome::Proven(least.into());

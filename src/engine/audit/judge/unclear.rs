@@ -7,7 +7,7 @@ use crate::derivation::{Assumed, Beyond, Goal, Source};
 use crate::kernel::Standing;
 use crate::notation::{has_decimals, is_figures};
 
-use super::super::{Judged, Outcome};
+use super::super::{Judged, Outcome, Verdict};
 use super::{Found, Judge, sources};
 
 impl Judge<'_> {
@@ -32,6 +32,39 @@ impl Judge<'_> {
         let formulas = assumed.map(|own| &*own.formula);
         let mut all = formulas.chain([&judged.goal.formula]);
         all.any(|formula| formula.terms().into_iter().any(|term| term.any(&is_one)))
+    }
+
+    /// What two of the premises of a proof that nobody cites give differently, and one of them in a section that is over: the moment `M` of
+    /// one load and of another.
+    pub(super) fn joins_two_sections(&self, judged: &Judged, premises: &[usize]) -> Option<Expr> {
+        let derivation = self.derivation;
+        let own = derivation.section_start(self.at);
+        let given = judged.assumed.iter().filter_map(|own| match own.source {
+            // What is derived of the one is so of the other.
+            Source::Equation(at) if !premises.contains(&at) && self.is_taken(at) => {
+                let (of, value) = own.formula.as_equation()?;
+                let is_name = matches!(of, Expr::Symbol(_) | Expr::Limit { .. } | Expr::Apply(..));
+                is_name.then_some((at, of, value))
+            }
+            _ => None,
+        });
+        let given: Vec<(usize, &Expr, &Expr)> = given.collect();
+        let is_other = |(at, of, value): &(usize, &Expr, &Expr)| {
+            let mut others = given.iter();
+            *at < own
+                && others
+                    .any(|(other, also, another)| *other >= own && also == of && another != value)
+        };
+        given
+            .iter()
+            .find(|own| is_other(own))
+            .map(|own| own.1.clone())
+    }
+
+    /// Whether nothing of an equation before was to be shown.
+    fn is_taken(&self, at: usize) -> bool {
+        let mut entries = self.auditor.entries_of(self.at, at);
+        entries.all(|entry| entry.verdict == Verdict::Given)
     }
 
     /// What is constant by one of the premises of a proof and changes by another.

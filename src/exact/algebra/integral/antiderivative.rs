@@ -2,7 +2,7 @@
 
 use super::super::function::inverse;
 use super::super::lower::{LowerError, Lowered, Lowering};
-use super::super::{Atom, Expr, Fraction, Function, Polynomial, Rational, Symbol, TooLarge, Var};
+use super::super::{Atom, Expr, Fraction, Function, Polynomial, Rational, TooLarge, Var};
 use super::{Range, whole};
 
 impl Lowering<'_> {
@@ -176,23 +176,6 @@ impl Lowering<'_> {
             all = sum.times(&over)?;
         }
         Ok(all)
-    }
-
-    /// k in f' = k f, where it does not move with the variable.
-    pub(in crate::algebra) fn rate(
-        &mut self,
-        var: Var,
-        variable: &Symbol,
-    ) -> Result<Option<Fraction>, LowerError> {
-        let slope = self.atom_derivative(var, variable)?;
-        let own = self.atom_of_symbol(variable);
-        let range = Range {
-            variable,
-            own: self.atoms.var(own),
-            from: Expr::integer(0),
-            to: Expr::integer(0),
-        };
-        self.quotient_that_stays(&slope, var, &range)
     }
 
     /// A value over an unknown, where that is not 0 and does not move with the variable.

@@ -1,4 +1,4 @@
-//! Odd powers of the variable times powers of `u = a + b x²`: `\int_0^R \frac{s \, ds}{\sqrt{s^2 + z^2}}`.
+//! Odd powers of the variable times powers of `u = (a + b x²)/c`: `\int_0^R \frac{s \, ds}{\sqrt{s^2 + z^2}}`.
 //!
 //! With `du = 2 b x dx` and `x² = (u - a)/b` these are integrals over powers of `u`; and `x/(a √u)` has the slope `u^{-3/2}`. What is a power
 //! with a broken or negative exponent must be positive all the way. `u` grows or falls with `x²`, which lies between the squares of the
@@ -6,7 +6,8 @@
 
 use super::super::lower::{LowerError, Lowered, Lowering};
 use super::super::{
-    Atom, Conditions, Expr, Fraction, Monomial, Polynomial, Rational, Var, expr_of,
+    Atom, Atoms, Conditions, Expr, Fraction, Monomial, Polynomial, Rational, Var, expr_of,
+    expr_of_fraction, sign_of_fraction,
 };
 use super::{Range, alone};
 use crate::sorted::Set;
@@ -14,11 +15,12 @@ use crate::sorted::Set;
 /// No odd power of the variable is taken apart that is higher than this.
 const HIGHEST_POWER: u32 = 9;
 
-/// `a + b x²`, and its root, if that is spoken of.
+/// `u = (a + b x²)/c`, what stands above in that, and its root, if that is spoken of.
 struct Square {
-    u: Polynomial,
-    a: Polynomial,
-    b: Polynomial,
+    above: Polynomial,
+    a: Fraction,
+    b: Fraction,
+    c: Fraction,
     root: Option<Var>,
 }
 
@@ -26,6 +28,15 @@ impl Square {
     /// Whether a polynomial is nothing but the root.
     fn is_root(&self, polynomial: &Polynomial) -> bool {
         self.root.is_some() && alone(polynomial) == self.root
+    }
+
+    /// `u` as a term.
+    fn term(&self, atoms: &Atoms) -> Expr {
+        let above = expr_of(&self.above, atoms);
+        match self.c.as_constant() {
+            Some(one) if one.is_one() => above,
+            _ => Expr::Quotient(above.into(), expr_of_fraction(&self.c, atoms).into()),
+        }
     }
 }
 
@@ -50,8 +61,10 @@ impl Lowering<'_> {
             if !self.moves(factor, range) {
                 let own = Fraction::from(factor.clone()).pow(exponent)?;
                 still = still.times(&self.recip(&own)?)?;
-            } else if *factor == square.u {
+            } else if *factor == square.above {
                 below += Rational::from(exponent);
+                let own = square.c.pow(exponent)?;
+                still = still.times(&self.recip(&own)?)?;
             } else if square.is_root(factor) {
                 below += Rational::from(exponent) * Rational::ratio(1, 2);
             } else {
@@ -80,7 +93,9 @@ impl Lowering<'_> {
             let outside = Polynomial::term(outside, coefficient.clone());
             parts.push((outside, power, exponent));
         }
-        if !self.is_positive_all_the_way(&square, range)? {
+        // Where nothing is divided by `u`, it may vanish at a limit.
+        let may_vanish = (parts.iter()).all(|(_, _, exponent)| !exponent.is_negative());
+        if !self.is_positive_all_the_way(&square, range, may_vanish)? {
             return Ok(None);
         }
         let mut sum = Fraction::default();
@@ -116,18 +131,19 @@ impl Lowering<'_> {
                 continue;
             }
             let base = self.lower(&base)?;
-            if !is_half || base.denominator().next().is_some() || found.is_some() {
+            let below = Fraction::from(base.expanded_denominator()?);
+            if !is_half || self.moves(below.numerator(), range) || found.is_some() {
                 return Ok(None);
             }
-            let Some(own) = self.square_of(base.numerator(), Some(var), range) else {
+            let Some(own) = self.square_of(base.numerator(), below, Some(var), range)? else {
                 return Ok(None);
             };
             found = Some(own);
         }
         for factor in below {
             match &found {
-                Some(own) if own.u == factor || own.is_root(&factor) => {}
-                None => match self.square_of(&factor, None, range) {
+                Some(own) if own.above == factor || own.is_root(&factor) => {}
+                None => match self.square_of(&factor, Rational::one().into(), None, range)? {
                     Some(own) => found = Some(own),
                     None => return Ok(None),
                 },
@@ -137,18 +153,27 @@ impl Lowering<'_> {
         Ok(found)
     }
 
-    fn square_of(&self, u: &Polynomial, root: Option<Var>, range: &Range) -> Option<Square> {
-        let [a, none, b] = &u.in_powers_of(range.own)[..] else {
-            return None;
+    fn square_of(
+        &mut self,
+        above: &Polynomial,
+        c: Fraction,
+        root: Option<Var>,
+        range: &Range,
+    ) -> Result<Option<Square>, LowerError> {
+        let [a, none, b] = &above.in_powers_of(range.own)[..] else {
+            return Ok(None);
         };
-        let is_so =
-            none.is_zero() && !a.is_zero() && !self.moves(a, range) && !self.moves(b, range);
-        is_so.then(|| Square {
-            u: u.clone(),
-            a: a.clone(),
-            b: b.clone(),
+        if !none.is_zero() || a.is_zero() || self.moves(a, range) || self.moves(b, range) {
+            return Ok(None);
+        }
+        let by_c = self.recip(&c)?;
+        Ok(Some(Square {
+            above: above.clone(),
+            a: by_c.times(&a.clone().into())?,
+            b: by_c.times(&b.clone().into())?,
+            c,
             root,
-        })
+        }))
     }
 
     /// Whether the integrand asks for nothing that moves but that `u` has a root, and does not vanish.
@@ -160,7 +185,12 @@ impl Lowering<'_> {
         if !is_sure {
             return false;
         }
-        let is_own = |own: &Polynomial| *own == square.u || square.is_root(own);
+        let sign = self.recip(&square.c).ok();
+        let sign = sign.and_then(|own| own.times(&square.above.clone().into()).ok());
+        let sign = sign.and_then(|own| sign_of_fraction(&own).ok());
+        let is_own = |own: &Polynomial| {
+            *own == square.above || sign.as_ref() == Some(own) || square.is_root(own)
+        };
         for (asked, may_be_own) in [
             (&inner.nonnegative, true),
             (&inner.nonzero, true),
@@ -186,16 +216,18 @@ impl Lowering<'_> {
         true
     }
 
-    /// Notes that `u` is positive at both limits and at 0; whether it can be.
+    /// Notes that `u` is positive at both limits and at 0, unless it vanishes at a limit and may; whether it can be.
     fn is_positive_all_the_way(
         &mut self,
         square: &Square,
         range: &Range,
+        may_vanish: bool,
     ) -> Result<bool, LowerError> {
-        let [start, end] = self.at_limits(&square.u, range)?;
-        let middle = Fraction::from(square.a.clone());
-        for value in [start, end, middle] {
-            if !self.may_be_positive(&value)? {
+        let by_c = self.recip(&square.c)?;
+        let middle = square.a.clone();
+        let [start, end] = self.at_limits(&square.above, range)?;
+        for value in [start.times(&by_c)?, end.times(&by_c)?, middle] {
+            if !(may_vanish && value.is_zero()) && !self.may_be_positive(&value)? {
                 return Ok(false);
             }
         }
@@ -210,24 +242,25 @@ impl Lowering<'_> {
         exponent: &Rational,
         range: &Range,
     ) -> Lowered {
-        let u = expr_of(&square.u, self.atoms);
+        let u = square.term(self.atoms);
         let mut sum = Fraction::default();
         let mut choices = Rational::one();
         for i in 0..=m {
             let power = exponent.clone() + Rational::from(i);
             let part = self.power_between(&u, &-&power, range)?;
-            let rest = square.a.negated().pow(m - i)?.scaled(&choices);
-            sum = sum.plus(&part.times(&rest.into())?)?;
+            let rest = square.a.negated().pow(m - i)?;
+            let rest = rest.times(&choices.clone().into())?;
+            sum = sum.plus(&part.times(&rest)?)?;
             choices = choices * Rational::from(m - i) * Rational::from(i + 1).recip();
         }
-        let below = square.b.pow(m + 1)?.scaled(&Rational::from(2));
-        sum.times(&self.recip(&below.into())?)
-            .map_err(LowerError::from)
+        let below = square.b.pow(m + 1)?;
+        let below = below.times(&Rational::from(2).into())?;
+        sum.times(&self.recip(&below)?).map_err(LowerError::from)
     }
 
     /// `∫ u^{-3/2} dx`, which is `x/(a √u)`.
     fn beside_the_root(&mut self, square: &Square, range: &Range) -> Lowered {
-        let u = expr_of(&square.u, self.atoms);
+        let u = square.term(self.atoms);
         let root = Expr::Power(
             u.into(),
             Expr::Number(Rational::ratio(1, 2).to_big()).into(),
@@ -236,7 +269,7 @@ impl Lowering<'_> {
         let whole = Expr::Quotient(variable.into(), root.into());
         let end = self.lower(&whole.substitute(range.variable, &range.to))?;
         let start = self.lower(&whole.substitute(range.variable, &range.from))?;
-        let a = self.recip(&square.a.clone().into())?;
+        let a = self.recip(&square.a)?;
         end.minus(&start)?.times(&a).map_err(LowerError::from)
     }
 }
