@@ -476,6 +476,72 @@ fn odd_powers_beside_a_square_are_integrated() {
     }
 }
 
+/// What stands under the root may be a fraction, and it may vanish at a limit where nothing is divided by it.
+#[test]
+fn a_root_may_vanish_at_a_limit() {
+    for (right, wrong) in [
+        (
+            r"\int_0^a x \sqrt{a^2 - x^2} \, dx = \frac{a^3}{3}",
+            r"\int_0^a x \sqrt{a^2 - x^2} \, dx = \frac{a^3}{2}",
+        ),
+        (
+            r"\int_0^a x \sqrt{1 - \frac{x^2}{a^2}} \, dx = \frac{a^2}{3}",
+            r"\int_0^a x \sqrt{1 - \frac{x^2}{a^2}} \, dx = \frac{a^3}{3}",
+        ),
+        (
+            r"\int_0^a x^3 \sqrt{1 - \frac{x^2}{a^2}} \, dx = \frac{2 a^4}{15}",
+            r"\int_0^a x^3 \sqrt{1 - \frac{x^2}{a^2}} \, dx = \frac{4 a^4}{15}",
+        ),
+        (
+            r"\int_0^a \frac{x}{\sqrt{1 + \frac{x^2}{b^2}}} \, dx = b^2 \left(\sqrt{1 + \frac{a^2}{b^2}} - 1\right)",
+            r"\int_0^a \frac{x}{\sqrt{1 + \frac{x^2}{b^2}}} \, dx = b \left(\sqrt{1 + \frac{a^2}{b^2}} - 1\right)",
+        ),
+    ] {
+        assert!(follows(right), "{right}");
+        assert!(!follows(wrong), "{wrong}");
+    }
+    for none in [
+        // Beyond the limit there is no root.
+        r"\int_0^{2 a} x \sqrt{a^2 - x^2} \, dx = -\sqrt{-27} \frac{a^3}{3}",
+        r"\int_0^{2 a} x \sqrt{1 - \frac{x^2}{a^2}} \, dx = \frac{a^2}{3}",
+        r"\int_0^b x \sqrt{1 - \frac{x^2}{a^2}} \, dx = \frac{a^2}{3} \left(1 - \left(1 - \frac{b^2}{a^2}\right)^{3/2}\right)",
+        // What is divided by it grows beyond all bounds.
+        r"\int_0^a \frac{x}{\sqrt{1 - \frac{x^2}{a^2}}} \, dx = a^2",
+        r"\int_0^a \frac{x}{(a^2 - x^2)^{3/2}} \, dx = -\frac{1}{a}",
+    ] {
+        assert!(!follows(none), "{none}");
+    }
+}
+
+/// The exponential of a power goes where that goes.
+#[test]
+fn exponentials_of_powers_die_away_or_grow() {
+    told_apart(&[
+        (
+            r"\lim_{x \to \infty} x^3 \exp(-k x^2) = 0",
+            r"\lim_{x \to \infty} x^3 \exp(-k x^2) = 1",
+        ),
+        (
+            r"\lim_{x \to \infty} \frac{\exp(k x^2) + x}{c \exp(k x^2) - 1} = \frac{1}{c}",
+            r"\lim_{x \to \infty} \frac{\exp(k x^2) + x}{c \exp(k x^2) - 1} = -1",
+        ),
+        (
+            r"\int_0^\infty x \exp(-k x^2) \, dx = \frac{1}{2 k}",
+            r"\int_0^\infty x \exp(-k x^2) \, dx = \frac{1}{k}",
+        ),
+        (
+            r"\int_0^\infty x^3 \exp\left(-\frac{x^2}{2 b}\right) \, dx = 2 b^2",
+            r"\int_0^\infty x^3 \exp\left(-\frac{x^2}{2 b}\right) \, dx = b^2",
+        ),
+    ]);
+    refused(&[
+        r"\lim_{x \to \infty} x \exp(k x^2) = 0",
+        r"\lim_{x \to \infty} \exp(k x - x^2 (c - k)) = 0",
+        r"\lim_{x \to \infty} \exp(-k x^2 + b x^3) = 0",
+        r"\int_0^\infty x \exp(k x^2) \, dx = -\frac{1}{2 k}",
+    ]);
+}
+
 /// Where the square vanishes between the limits, or may, there is no such integral; nor where what moves with it asks for more.
 #[test]
 fn no_square_is_integrated_where_it_may_vanish() {

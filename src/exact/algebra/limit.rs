@@ -300,7 +300,7 @@ impl Lowering<'_> {
     }
 
     /// The leading coefficient of f'/f, where that is a polynomial in the variable with coefficients that do not move: if it is positive, f
-    /// grows towards plus infinity at least as an exponential does, `e^{a x^2 + b x}` as `a > 0`.
+    /// grows towards plus infinity at least as an exponential does, `e^{a x^2}` as `a > 0`.
     fn rate_far_out(
         &mut self,
         var: Var,

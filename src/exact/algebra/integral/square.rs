@@ -227,7 +227,8 @@ impl Lowering<'_> {
         let middle = square.a.clone();
         let [start, end] = self.at_limits(&square.above, range)?;
         for value in [start.times(&by_c)?, end.times(&by_c)?, middle] {
-            if !(may_vanish && value.is_zero()) && !self.may_be_positive(&value)? {
+            let vanishes = may_vanish && value.is_zero();
+            if !vanishes && !self.may_be_positive(&value)? {
                 return Ok(false);
             }
         }
