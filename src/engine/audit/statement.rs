@@ -222,6 +222,7 @@ impl Auditor<'_> {
             && let Some(found) = judge
                 .as_no_solution(goal, how.premises, None)
                 .or_else(|| judge.as_no_root(goal, how.premises))
+                .or_else(|| judge.as_no_root_of_system(goal, how.premises))
         {
             links.contradicted = true;
             return Some(found);

@@ -3,7 +3,7 @@
 //! A new name for a root would be defined by what stands for it. Put into the equation that the words before it speak of, it must solve that.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Goal, Source, formulas};
 use crate::kernel::Standing;
 use crate::search::Decision;
 use crate::sorted::Set;
@@ -88,6 +88,78 @@ impl Judge<'_> {
         })
     }
 
+    /// What to say of a value that is said to solve a system of equations together with what stands beside it, and does not: "Solving the pair
+    /// (4) we get $$q_1^* = …, \qquad q_2^* = …$$".
+    pub(in crate::audit) fn as_no_root_of_system(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+    ) -> Option<Found> {
+        let (Expr::Symbol(_), value) = goal.formula.as_equation()? else {
+            return None;
+        };
+        if !goal.is_said_outright() || !self.says(&ROOTS) || self.is_of_another_law() {
+            return None;
+        }
+        let own = self.derivation.equations[self.at].statements();
+        let roots: Vec<Symbol> = own.iter().flat_map(formulas).filter_map(root_of).collect();
+        let cited = self.usable.assumed.iter().filter(|own| match own.source {
+            Source::Equation(at) => premises.contains(&at),
+            _ => false,
+        });
+        let cited: Vec<&Formula> = cited.map(|own| &*own.formula).collect();
+        let named = Formula::names_in(cited.iter().flat_map(|own| own.terms()));
+        if roots.len() < 2 || roots.iter().any(|own| named.contains(own)) {
+            return None;
+        }
+        let unknowns: Vec<Symbol> = (roots.iter())
+            .map(|root| {
+                let is_one = |own: &&Symbol| root.is_variant_of(own) || is_starred(root, own);
+                let mut all = named.iter().filter(is_one);
+                all.next().filter(|_| all.next().is_none()).cloned()
+            })
+            .collect::<Option<_>>()?;
+        let is_unknown = |own: &Symbol| unknowns.contains(own);
+        let values = own.iter().flat_map(formulas);
+        let speaks = |own: &Formula| own.names().iter().any(is_unknown);
+        if values.clone().any(|own| speaks(&own)) || !value.free_symbols().is_subset(&named) {
+            return None;
+        }
+        let system = cited.into_iter().filter(|own| speaks(own));
+        let system = system.filter(|own| own.as_equation().is_some() && !own.speaks_of_slopes());
+        let system: Vec<Assumed> = system
+            .map(|law| {
+                let there = law.map_terms(|term| {
+                    (unknowns.iter().zip(&roots)).fold(term.clone(), |term, (of, root)| {
+                        term.substitute(of, &Expr::Symbol(root.clone()))
+                    })
+                });
+                taken(&there)
+            })
+            .collect();
+        if system.len() < roots.len() {
+            return None;
+        }
+        let values = values.map(|own| Assumed {
+            standing: Standing::Identity,
+            ..taken(&own)
+        });
+        let values = self.where_all_is_positive(goal, values.collect());
+        let there: Vec<Formula> = system
+            .iter()
+            .map(|own| Formula::clone(&own.formula))
+            .collect();
+        let assumed = self.where_all_is_positive(goal, system);
+        effort::within(MOST_WORK, || {
+            // It is this one that is wrong, and not what stands beside it; that shows where all of them are put in.
+            self.counterexample(&assumed, &goal.formula)?;
+            there.iter().find_map(|law| {
+                let refuted = self.counterexample(&values, law)?;
+                Some(refuted_of(goal, law, &values, refuted))
+            })
+        })
+    }
+
     /// The equation that something is said to be a root of, and the unknown of it: what the last sentence says, what is cited, or what stands
     /// just before.
     fn equation_of(
@@ -122,4 +194,18 @@ impl Judge<'_> {
         // Nobody knows which of two is meant.
         found.all(|other| other == first).then_some(first)
     }
+}
+
+/// What an equation gives, if it gives a symbol.
+fn root_of(formula: Formula) -> Option<Symbol> {
+    match formula.as_equation()? {
+        (Expr::Symbol(root), value) if !value.mentions(root) => Some(root.clone()),
+        _ => None,
+    }
+}
+
+/// Whether a name is that of another with a star: `q_1^*`, which is written `q^*_1`.
+fn is_starred(own: &Symbol, other: &Symbol) -> bool {
+    const STAR: &str = "^*";
+    own.name().contains(STAR) && own.name().replacen(STAR, "", 1) == other.name()
 }
