@@ -541,9 +541,7 @@ impl Sample {
             None => self.values.get(symbol).copied(),
         }
     }
-}
 
-impl Sample {
     /// What a function of which nothing is said comes to.
     fn anything(&self, function: &Symbol, at: &[f64]) -> f64 {
         // What is the same but for how it was worked out is the same.

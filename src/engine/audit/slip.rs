@@ -141,6 +141,11 @@ impl Auditor<'_> {
     fn refuted_beside(&self, how: &Circumstances, printed: &Goal, shown: &Shown) -> Option<Judged> {
         let (at, usable) = (how.at, how.usable);
         let from = self.needed(at, shown);
+        let domains = &self.derivation.pages[self.derivation.equations[at].page].domains;
+        let is_anything = |own: &Symbol| {
+            let domain = domains.get(own);
+            domain.is_none_or(|own| !own.nonzero && !own.integer && own.bounds().next().is_none())
+        };
         let decided = |assumed: Vec<Assumed>, formula: Formula| {
             let claim = self.derivation.claim(at, &assumed, &formula);
             let Decision::Refuted(refuted) = search::decide(claim, &self.hints()) else {
@@ -174,7 +179,10 @@ impl Auditor<'_> {
         });
         let plain = plain.or_else(|| {
             let between = between(&shown.formula, &printed.formula)?;
-            decided(but_names(from.clone(), &between), between)
+            decided(
+                but_names(from.clone(), &between, Some(&is_anything)),
+                between,
+            )
         });
         let plain = plain.or_else(|| {
             let known = but_integrals(&from, &printed.formula)?;
@@ -188,7 +196,7 @@ impl Auditor<'_> {
                 .into_iter()
                 .filter(|own| !own.is_unit());
             let positive = symbols.map(|own| Formula::positive(Expr::Symbol(own.clone())));
-            let mut all = but_names(from.clone(), &between);
+            let mut all = but_names(from.clone(), &between, Some(&is_anything));
             all.extend(positive.map(|own| judge::condition(&own)));
             decided(all, between)
         })
@@ -586,17 +594,30 @@ fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
 
 /// What is assumed, but for what only gives names to things of which nothing else speaks: what is true without these is true with them.
 ///
-/// What such a name stands beside is not 0: `E I w(x) = F x^2` says what `w(x)` is where `E I ≠ 0`.
-pub(super) fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assumed> {
+/// Where it is told which names may stand for anything, they may stand beside something, too, that is not 0 then: `E I w(x) = F x^2` says what
+/// `w(x)` is where `E I ≠ 0`.
+pub(super) fn but_names(
+    mut assumed: Vec<Assumed>,
+    goal: &Formula,
+    is_anything: Option<&dyn Fn(&Symbol) -> bool>,
+) -> Vec<Assumed> {
+    let may_be = |named: &Expr| {
+        let name = match named {
+            Expr::Symbol(own) => Some(own),
+            _ => None,
+        };
+        is_anything.is_none_or(|is_anything| name.is_none_or(is_anything))
+    };
     loop {
         let beside = |at: usize| {
             let (left, right) = assumed[at].formula.as_equation()?;
             let mut others: Vec<&Formula> = vec![goal];
             let rest = assumed.iter().enumerate().filter(|(other, _)| *other != at);
             others.extend(rest.map(|(_, own)| &*own.formula));
-            if names(left, right, &others) {
+            if may_be(left) && names(left, right, &others) {
                 return Some((at, Vec::new()));
             }
+            is_anything?;
             let sides = [(left, right), (right, left)].into_iter();
             sides
                 .filter_map(|(product, value)| match product {
@@ -609,7 +630,8 @@ pub(super) fn but_names(mut assumed: Vec<Assumed>, goal: &Formula) -> Vec<Assume
                         let named = beside.remove(named);
                         let said = Formula::nonzero(product_of(beside.clone()));
                         let others: Vec<&Formula> = others.iter().copied().chain([&said]).collect();
-                        names(&named, value, &others).then_some((at, beside))
+                        let is_one = may_be(&named) && names(&named, value, &others);
+                        is_one.then_some((at, beside))
                     })
                 })
         };

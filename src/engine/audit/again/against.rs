@@ -83,7 +83,7 @@ impl Judge<'_> {
     ) {
         let all: Vec<Assumed> = cited.iter().cloned().chain(besides).collect();
         let larger = self.derivation.claim(self.at, &all, &goal.formula);
-        let speaking = but_names(all, &goal.formula);
+        let speaking = but_names(all, &goal.formula, None);
         if speaking.iter().any(|own| !cited.contains(own)) {
             self.heed_larger(goal, cited, larger, reason, found);
         }

@@ -56,8 +56,13 @@ impl Judge<'_> {
         }
         variables.extend(slopes);
         (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
-            || (self.compared(goal, set).iter())
-                .any(|(variable, own)| self.holds_compared(variable, goal, own, found))
+            || (self.compared(goal, set).iter()).any(|(variable, own)| {
+                let claim = self.derivation.claim(self.at, own, &goal.formula);
+                let held = self.held_compared(&claim, variable);
+                held.is_some_and(|held| {
+                    self.holds_beside((variable, held, claim), goal, own, found)
+                })
+            })
     }
 
     /// The same for every value of one variable.
@@ -70,19 +75,6 @@ impl Judge<'_> {
     ) -> bool {
         let claim = self.derivation.claim(self.at, set, &goal.formula);
         let held = self.held(&claim, variable);
-        held.is_some_and(|held| self.holds_beside((variable, held, claim), goal, set, found))
-    }
-
-    /// The same where words say that what is so for every value is compared.
-    fn holds_compared(
-        &self,
-        variable: &Symbol,
-        goal: &Goal,
-        set: &[Assumed],
-        found: &mut Found,
-    ) -> bool {
-        let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let held = self.held_compared(&claim, variable);
         held.is_some_and(|held| self.holds_beside((variable, held, claim), goal, set, found))
     }
 

@@ -1,8 +1,6 @@
 //! Rarer slips of the pen, of which there are many: worth a look only where it is cheap to see which of them would be right.
 
-use crate::algebra::{
-    BigRational, Expr, Formula, Function, Rational, Relation, Symbol, product_of,
-};
+use crate::algebra::{BigRational, Expr, Formula, Function, Rational, Symbol, product_of};
 use num_traits::One;
 
 use super::super::implied::{number, own_number};
@@ -18,12 +16,7 @@ const COST: u32 = 30;
 
 /// All equations one rarer edit away from a printed one, in the order of where they differ.
 pub fn rarer_edits(printed: &Formula) -> Vec<Edit> {
-    let Formula::Relation {
-        left,
-        relation: Relation::Equal,
-        right,
-    } = printed
-    else {
+    let Some((left, right)) = printed.as_equation() else {
         return Vec::new();
     };
     if parts(left) + parts(right) > MOST_PARTS {
@@ -67,8 +60,7 @@ impl Writer {
     /// What a term may have been, one part of it edited.
     fn everywhere(&self, term: &Expr, found: &mut dyn FnMut(Change, Expr)) {
         self.here(term, found);
-        for at in 0..term.children().count() {
-            let child = term.children().nth(at).expect("it is one of them");
+        for (at, child) in term.children().enumerate() {
             self.everywhere(child, &mut |change, edited| {
                 found(change, with_child(term, at, edited));
             });
