@@ -157,13 +157,10 @@ impl Sample {
             }
             own => match self.slope(own) {
                 Some(slope) => {
-                    let clock = match own {
-                        Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } => {
-                            Some(variable)
-                        }
-                        _ => None,
-                    };
-                    self.clocks.extend(clock.cloned());
+                    if let Expr::Derivative { variable, .. } | Expr::Partial { variable, .. } = own
+                    {
+                        self.clocks.insert(variable.clone());
+                    }
                     return self.define(&Expr::Symbol(slope), value);
                 }
                 None => return false,
@@ -205,10 +202,13 @@ impl Sample {
         let Expr::Symbol(of) = &**body else {
             return None;
         };
+        // Most slopes are by what all changes with.
+        let mut clocks = self.clocks.iter().filter(|own| *own != variable).peekable();
+        clocks.peek()?;
         if self.defined.contains_key(&slope(of, variable)) {
             return None;
         }
-        let both = (self.clocks.iter()).map(|clock| [slope(of, clock), slope(variable, clock)]);
+        let both = clocks.map(|clock| [slope(of, clock), slope(variable, clock)]);
         let mut both = both.filter(|own| own.iter().all(|own| self.defined.contains_key(own)));
         both.next()
     }

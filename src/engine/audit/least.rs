@@ -121,8 +121,7 @@ impl Judge<'_> {
         let mut shorter: Option<Rc<Obligation>> = None;
         if few.len() < assumed.len()
             && let Some(posed) = pose(&few)
-            && let Some(derived) = search::prove_posed(&posed, Effort::Light)
-                .or_else(|| search::prove_posed(&posed, Effort::Full))
+            && let Some(derived) = search::prove_by_degrees(&posed)
         {
             (assumed, proven, shorter) = (few, derived.proven, Some(posed));
         }

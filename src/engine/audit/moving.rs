@@ -51,6 +51,16 @@ fn collect_total_slopes(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
     (term.children()).for_each(|child| collect_total_slopes(child, found));
 }
 
+/// Adds the symbols in a term of which a slope is written, with what by.
+fn collect_written_slopes(term: &Expr, found: &mut Set<(Symbol, Symbol)>) {
+    if let Expr::Derivative { body, variable } = term
+        && let Expr::Symbol(of) = &**body
+    {
+        found.insert((of.clone(), variable.clone()));
+    }
+    (term.children()).for_each(|child| collect_written_slopes(child, found));
+}
+
 fn at_place(part: &Expr) -> bool {
     matches!(part, Expr::Limit { .. })
 }
@@ -63,6 +73,8 @@ pub(super) struct Moving {
     slopes: Set<(Symbol, Symbol)>,
     /// What all relations of the page differentiate in total, with what by.
     total_slopes: Set<(Symbol, Symbol)>,
+    /// The symbols of which its laws write a slope, with what by.
+    written_slopes: Set<(Symbol, Symbol)>,
     /// What words say to change.
     told: Set<Symbol>,
     /// What equations differentiate by, each with the position of the first that does.
@@ -114,6 +126,9 @@ impl Moving {
                     let names = formula.free_symbols();
                     // What something is at a place, `y(L)`, ties nothing to what moves.
                     if !formula.terms().into_iter().any(|term| term.any(&at_place)) {
+                        for term in formula.terms() {
+                            collect_written_slopes(term, &mut found.written_slopes);
+                        }
                         found.laws.push((at, formula, names));
                     }
                 }
@@ -426,16 +441,9 @@ impl Auditor<'_> {
 
     /// Whether the page writes how fast a symbol changes with a variable.
     pub(super) fn writes_slope(&self, at: usize, symbol: &Symbol, variable: &Symbol) -> bool {
-        let is_slope = |part: &Expr| match part {
-            Expr::Derivative {
-                body,
-                variable: own,
-            } => own == variable && matches!(&**body, Expr::Symbol(of) if of == symbol),
-            _ => false,
-        };
         let moving = self.moving(self.derivation.equations[at].page);
-        let mut terms = moving.laws.iter().flat_map(|(_, law, _)| law.terms());
-        terms.any(|term| term.any(&is_slope))
+        let slope = (symbol.clone(), variable.clone());
+        moving.written_slopes.contains(&slope)
     }
 
     /// Whether the page says that something moves of which conditions say that it does not.

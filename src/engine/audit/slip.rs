@@ -3,16 +3,16 @@
 //! Of all that is near to what is printed little is true where all is true that stands before it, as far as floating point tells; that
 //! much is judged as what is printed was. What is shown so is said, and that what is printed is false: at a point, by the kernel.
 
-use std::cell::{Cell, LazyCell};
+mod beside;
+mod samples;
 
-use crate::algebra::{Expr, Formula, Symbol, effort, product_of};
+use std::cell::LazyCell;
+
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, formulas, values_at};
-use crate::kernel::{Assignment, Claim, Standing};
+use crate::kernel::{Assignment, Claim};
 use crate::notation::{Clause, Statement};
-use crate::sampling::Sample;
-use crate::search::{
-    self, Change, Decision, Edit, Effort, InChain, Mended, Slips, Stop, UNDECIDED,
-};
+use crate::search::{self, Change, Edit, Effort, InChain, Mended, Slips, Stop, UNDECIDED};
 use crate::sorted::Set;
 
 use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
@@ -20,6 +20,7 @@ use super::entry::Entry;
 use super::readings::Circumstances;
 use super::warranted::is_supposed;
 use super::{Auditor, Judged, Note, Outcome, Verdict, judge, stated};
+pub(super) use beside::but_names;
 
 /// How much work may be done for that in all, and for one edit.
 const MOST_WORK: u64 = 3_000_000;
@@ -31,14 +32,6 @@ const LIKELIEST: usize = 3;
 const MOST_TRIED: usize = 60;
 /// So many displays before are looked at for what ties a symbol to others.
 const MOST_BEFORE: usize = 64;
-/// So many times it is tried to find out where all may be true; so many such places are enough, and so many are needed.
-const MOST_SEEDS: u32 = 20;
-/// So many terms are worked out for that.
-const MOST_STEPS: u64 = 1_000_000;
-const MOST_SAMPLES: usize = 3;
-const FEWEST_SAMPLES: usize = 2;
-/// So many times it is tried whether a law is true with what is near to a link.
-const MOST_SAMPLES_WITH: u32 = 2;
 /// So many links of a chain are looked at.
 const MOST_LINKS: usize = 2;
 
@@ -55,7 +48,7 @@ impl Auditor<'_> {
         let mut refuted = (0..entry.judged.len()).filter(is_refuted).take(MOST_LINKS);
         refuted.find_map(|at| {
             let shown = self.shown_for(statement, how, entry, at)?;
-            let before = shown.before.into_iter().take(at);
+            let before = shown.links.into_iter().take(at);
             Some((before.collect(), shown.mended))
         })
     }
@@ -81,9 +74,9 @@ impl Auditor<'_> {
             self.first_shown(statement, how, link, slips, MOST_TRIED)
         };
         let any = || self.first_shown(statement, how, link, slips(), LIKELIEST);
-        let found = match samples.all.len() < FEWEST_SAMPLES {
-            true => None,
-            false => effort::altogether(MOST_WORK, likely),
+        let found = match samples.are_enough() {
+            true => effort::altogether(MOST_WORK, likely),
+            false => None,
         };
         found.or_else(|| effort::altogether(MOST_WORK, any))
     }
@@ -113,8 +106,7 @@ impl Auditor<'_> {
         };
         let judged = &entry.judged[open];
         let samples = self.samples(how, &entry, &judged.goal);
-        let is_right = |own: &Sample| own.holds(&judged.goal.formula) == Some(true);
-        if samples.all.len() < FEWEST_SAMPLES || samples.all.iter().any(is_right) {
+        if !samples.are_enough() || samples.allow(&judged.goal.formula) {
             return entry;
         }
         let (formula, assumed) = (&judged.goal.formula, &judged.assumed);
@@ -135,130 +127,6 @@ impl Auditor<'_> {
         entry.verdict = Verdict::Fails;
         entry.mended = Some(Box::new(shown.mended));
         entry
-    }
-
-    /// What is printed, refuted where all is true that something near to it was shown from, and so that as well.
-    fn refuted_beside(&self, how: &Circumstances, printed: &Goal, shown: &Shown) -> Option<Judged> {
-        let (at, usable) = (how.at, how.usable);
-        let from = self.needed(at, shown);
-        let domains = &self.derivation.pages[self.derivation.equations[at].page].domains;
-        let is_anything = |own: &Symbol| {
-            let domain = domains.get(own);
-            domain.is_none_or(|own| !own.nonzero && !own.integer && own.bounds().next().is_none())
-        };
-        let decided = |assumed: Vec<Assumed>, formula: Formula| {
-            let claim = self.derivation.claim(at, &assumed, &formula);
-            let Decision::Refuted(refuted) = search::decide(claim, &self.hints()) else {
-                return None;
-            };
-            let goal = Goal {
-                formula,
-                ..printed.clone()
-            };
-            let judged = Judged {
-                goal,
-                assumed,
-                outcome: Outcome::Refuted(refuted.into()),
-            };
-            let judge = judge::Judge::new(self, at, usable);
-            judge.held_and_moving(&judged).is_none().then_some(judged)
-        };
-        let plain = decided(from.clone(), printed.formula.clone());
-        let plain = plain.or_else(|| {
-            let mut with_shown = from.clone();
-            // What solves a law says how it varies.
-            let standing = match from.iter().any(|own| own.formula.speaks_of_slopes()) {
-                true => Standing::Identity,
-                false => Standing::AtPoint,
-            };
-            with_shown.push(Assumed {
-                standing,
-                ..judge::taken(&shown.formula)
-            });
-            decided(with_shown, printed.formula.clone())
-        });
-        let plain = plain.or_else(|| {
-            let between = between(&shown.formula, &printed.formula)?;
-            decided(
-                but_names(from.clone(), &between, Some(&is_anything)),
-                between,
-            )
-        });
-        let plain = plain.or_else(|| {
-            let known = but_integrals(&from, &printed.formula)?;
-            decided(known, printed.formula.clone())
-        });
-        // What is false where all is positive is false.
-        plain.or_else(|| {
-            let between = between(&shown.formula, &printed.formula)?;
-            let symbols = between
-                .free_symbols()
-                .into_iter()
-                .filter(|own| !own.is_unit());
-            let positive = symbols.map(|own| Formula::positive(Expr::Symbol(own.clone())));
-            let mut all = but_names(from.clone(), &between, Some(&is_anything));
-            all.extend(positive.map(|own| judge::condition(&own)));
-            decided(all, between)
-        })
-    }
-
-    /// What something is shown from: what it is not shown from may stand in the way of a point.
-    fn needed(&self, at: usize, shown: &Shown) -> Vec<Assumed> {
-        let mut assumed = shown.from.clone();
-        // Nothing is shown from that, and of no point it is known whether it is true there.
-        assumed.retain(|own| !own.formula.is_approximation());
-        let follows = |assumed: &[Assumed]| {
-            let claim = self.derivation.claim(at, assumed, &shown.formula);
-            search::prove_unconditionally(claim, Effort::Full).is_some()
-        };
-        for from in (0..assumed.len()).rev() {
-            let own = assumed.remove(from);
-            if !follows(&assumed) {
-                assumed.insert(from, own);
-            }
-        }
-        assumed
-    }
-
-    /// Where all may be true that stands before a link.
-    fn samples(&self, how: &Circumstances, entry: &Entry, goal: &Goal) -> Samples {
-        let judge = judge::Judge::new(self, how.at, how.usable);
-        let links = entry.judged.iter().map(|own| &own.goal);
-        let links = links.take_while(|own| own.sides != goal.sides);
-        let links: Vec<Assumed> = links.map(|own| judge::step(&own.formula)).collect();
-        let [near, all] = judge.others(how.premises);
-        let open = judge.open_before(how.premises);
-        let with = |others| -> Vec<&Formula> {
-            let all = [&how.usable.assumed, &links, others, &open];
-            all.into_iter().flatten().map(|own| &*own.formula).collect()
-        };
-        let mut sets = vec![with(near)];
-        if !all.is_empty() {
-            sets.insert(0, with(all));
-        }
-        // Where something is, how it moves leaves open.
-        let mut still = sets[sets.len() - 1].clone();
-        still.retain(|own| !own.speaks_of_slopes());
-        if !goal.formula.speaks_of_slopes() && still.len() < sets[sets.len() - 1].len() {
-            sets.push(still);
-        }
-        // What nobody says the sign of is mostly meant to be positive.
-        let mut of_any_sign = Vec::new();
-        for premises in &sets {
-            let mut found = where_true(premises, &goal.formula);
-            if found.iter().filter(|own| own.is_positive()).count() >= FEWEST_SAMPLES {
-                found.retain(Sample::is_positive);
-                return Samples::new(found, &sets, &goal.formula);
-            }
-            of_any_sign.push(found);
-        }
-        let enough = of_any_sign
-            .into_iter()
-            .find(|own| own.len() >= FEWEST_SAMPLES);
-        let any = || seeds(&sets[0], &goal.formula).take(MOST_SAMPLES).collect();
-        let mut found: Vec<Sample> = enough.unwrap_or_else(any);
-        found.truncate(MOST_SAMPLES);
-        Samples::new(found, &sets, &goal.formula)
     }
 
     /// The first of some edits with which a link would have been shown; so many of them are tried in earnest.
@@ -341,7 +209,7 @@ impl Auditor<'_> {
             }
             return Some(Shown {
                 formula: own.goal.formula.clone(),
-                before: other.judged.clone(),
+                links: other.judged.clone(),
                 from,
                 mended: Mended {
                     proven: (**proven).clone(),
@@ -444,38 +312,11 @@ impl Auditor<'_> {
     }
 }
 
-/// Places at which a goal has a value, from different seeds.
-fn seeds<'a>(premises: &'a [&Formula], goal: &'a Formula) -> impl Iterator<Item = Sample> + 'a {
-    let mut left = MOST_STEPS;
-    let samples = (0..MOST_SEEDS).map_while(move |seed| {
-        let own = (left > 0).then(|| Sample::of(premises.iter().copied(), goal, seed))?;
-        let has_value = own.holds(goal).is_some();
-        left = left.saturating_sub(own.steps());
-        Some((own, has_value))
-    });
-    samples.filter_map(|(own, has_value)| has_value.then_some(own))
-}
-
-/// Those of these places at which premises are true, as far as that can be told, until there are enough at which all is positive.
-fn where_true(premises: &[&Formula], goal: &Formula) -> Vec<Sample> {
-    let is_false = |own: &Sample, premise: &Formula| own.holds(premise) == Some(false);
-    let fits = |own: &Sample| !premises.iter().any(|premise| is_false(own, premise));
-    let (mut found, mut positive) = (Vec::new(), 0);
-    for own in seeds(premises, goal).filter(fits) {
-        positive += usize::from(own.is_positive());
-        found.push(own);
-        if positive == MOST_SAMPLES {
-            break;
-        }
-    }
-    found
-}
-
 /// A link that would have been shown, as it should read.
 struct Shown {
     formula: Formula,
     /// All links of the edited statement.
-    before: Vec<Judged>,
+    links: Vec<Judged>,
     /// From what, and under what besides.
     from: Vec<Assumed>,
     mended: Mended,
@@ -514,203 +355,10 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
     }
 }
 
-/// Where all may be true that stands before a link.
-struct Samples {
-    all: Vec<Sample>,
-    /// What says how something changes that the link says what it is, with what else stands before; few links have that.
-    premises: Vec<Formula>,
-    /// What the link says what it is.
-    of: Option<Symbol>,
-    /// So many terms may still be worked out to see whether laws are true.
-    left: Cell<u64>,
-}
-
-impl Samples {
-    fn new(all: Vec<Sample>, sets: &[Vec<&Formula>], goal: &Formula) -> Samples {
-        let of = goal.as_equation().and_then(|(left, _)| match left {
-            Expr::Symbol(own) | Expr::Apply(own, _) => Some(own.clone()),
-            _ => None,
-        });
-        let premises = sets.first().into_iter().flatten();
-        let is_told = of
-            .as_ref()
-            .is_some_and(|of| premises.clone().any(|own| says_how_changes(own, of)));
-        Samples {
-            all,
-            premises: match is_told {
-                true => premises.map(|own| (*own).clone()).collect(),
-                false => Vec::new(),
-            },
-            of: of.filter(|_| is_told),
-            left: Cell::new(MOST_STEPS),
-        }
-    }
-
-    /// Whether something near to the link is true wherever the premises are, or they are true with it: `w = \frac{F x^2}{6 E I} (3 L - x)`
-    /// beside `E I \frac{dw}{dx} = F (L x - \frac{x^2}{2})`.
-    fn are_true_with(&self, formula: &Formula) -> bool {
-        if self.all.iter().all(|own| own.holds(formula) == Some(true)) {
-            return true;
-        }
-        let Some(of) = &self.of else {
-            return false;
-        };
-        let (laws, others): (Vec<&Formula>, Vec<&Formula>) = self
-            .premises
-            .iter()
-            .partition(|own| says_how_changes(own, of));
-        (0..MOST_SAMPLES_WITH).all(|seed| {
-            if self.left.get() == 0 {
-                return false;
-            }
-            let all = [formula].into_iter().chain(others.iter().copied());
-            let sample = Sample::of(all, laws[0], seed);
-            let are_true = laws.iter().all(|own| sample.holds(own) == Some(true));
-            self.left
-                .set(self.left.get().saturating_sub(sample.steps()));
-            are_true
-        })
-    }
-}
-
-/// Whether a formula is a law of how something changes.
-fn says_how_changes(formula: &Formula, of: &Symbol) -> bool {
-    let is_slope = |part: &Expr| match part {
-        Expr::Derivative { body, .. } => {
-            matches!(&**body, Expr::Symbol(own) | Expr::Apply(own, _) if own == of)
-        }
-        _ => false,
-    };
-    let mut terms = formula.terms().into_iter();
-    formula.as_equation().is_some() && terms.any(|term| term.any(&is_slope))
-}
-
 /// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.
 fn is_simply_open(stop: &Stop) -> bool {
     let reasons = [UNDECIDED, OPEN_ITSELF, ELSEWHERE, ELEMENT, NAMED, UNSAID];
     reasons.contains(&&*stop.reason)
-}
-
-/// That what should be printed on one side is what is printed there: the other side is the same.
-fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
-    let (left, right) = shown.as_equation()?;
-    let (printed_left, printed_right) = printed.as_equation()?;
-    if left == printed_left {
-        return Some(Formula::equal(right.clone(), printed_right.clone()));
-    }
-    (right == printed_right).then(|| Formula::equal(printed_left.clone(), left.clone()))
-}
-
-/// What is assumed, but for what only gives names to things of which nothing else speaks: what is true without these is true with them.
-///
-/// Where it is told which names may stand for anything, they may stand beside something, too, that is not 0 then: `E I w(x) = F x^2` says what
-/// `w(x)` is where `E I ≠ 0`.
-pub(super) fn but_names(
-    mut assumed: Vec<Assumed>,
-    goal: &Formula,
-    is_anything: Option<&dyn Fn(&Symbol) -> bool>,
-) -> Vec<Assumed> {
-    let may_be = |named: &Expr| {
-        let name = match named {
-            Expr::Symbol(own) => Some(own),
-            _ => None,
-        };
-        is_anything.is_none_or(|is_anything| name.is_none_or(is_anything))
-    };
-    loop {
-        let beside = |at: usize| {
-            let (left, right) = assumed[at].formula.as_equation()?;
-            let mut others: Vec<&Formula> = vec![goal];
-            let rest = assumed.iter().enumerate().filter(|(other, _)| *other != at);
-            others.extend(rest.map(|(_, own)| &*own.formula));
-            if may_be(left) && names(left, right, &others) {
-                return Some((at, Vec::new()));
-            }
-            is_anything?;
-            let sides = [(left, right), (right, left)].into_iter();
-            sides
-                .filter_map(|(product, value)| match product {
-                    Expr::Product(factors) => Some((factors, value)),
-                    _ => None,
-                })
-                .find_map(|(factors, value)| {
-                    (0..factors.len()).find_map(|named| {
-                        let mut beside = factors.to_vec();
-                        let named = beside.remove(named);
-                        let said = Formula::nonzero(product_of(beside.clone()));
-                        let others: Vec<&Formula> = others.iter().copied().chain([&said]).collect();
-                        let is_one = may_be(&named) && names(&named, value, &others);
-                        is_one.then_some((at, beside))
-                    })
-                })
-        };
-        let Some((at, beside)) = (0..assumed.len()).rev().find_map(beside) else {
-            return assumed;
-        };
-        assumed.remove(at);
-        let nonzero = beside.into_iter().map(Formula::nonzero);
-        assumed.extend(nonzero.map(|own| judge::condition(&own)));
-    }
-}
-
-/// What is assumed, with what integrals come to put in for them, where nothing else speaks of what is integrated: `V = \int_a^b E\,dr = c` says
-/// that `V = c`, and what else it says is so for some `E`. `None` where there is no such integral.
-fn but_integrals(assumed: &[Assumed], goal: &Formula) -> Option<Vec<Assumed>> {
-    let (at, integral, value) = assumed.iter().enumerate().find_map(|(at, own)| {
-        let (left, right) = own.formula.as_equation()?;
-        let is_free = |term: &Expr| {
-            let Expr::Integral { body, .. } = term else {
-                return false;
-            };
-            let Expr::Symbol(integrated) = &**body else {
-                return false;
-            };
-            let elsewhere = |own: &Formula| {
-                let all = own.map_terms(|own| own.replace(term, &Expr::integer(0)));
-                all.names().contains(integrated)
-            };
-            !elsewhere(goal) && !assumed.iter().any(|own| elsewhere(&own.formula))
-        };
-        let sides = [(left, right), (right, left)].into_iter();
-        let mut sides = sides.filter(|own| is_free(own.0) && !own.1.any(&|part| part == own.0));
-        // That it is a number that has a name says nothing of it.
-        let (integral, value) = sides.find(|own| !matches!(own.1, Expr::Symbol(_)))?;
-        Some((at, integral.clone(), value.clone()))
-    })?;
-    let mut known = assumed.to_vec();
-    known.remove(at);
-    for own in &mut known {
-        let put_in = (own.formula).map_terms(|term| term.replace(&integral, &value));
-        own.formula = put_in.into();
-    }
-    Some(known)
-}
-
-/// Whether an equation is the only one that speaks of what its left side is, a name or how fast something changes.
-fn names(left: &Expr, right: &Expr, others: &[&Formula]) -> bool {
-    match left {
-        Expr::Symbol(own) | Expr::Apply(own, _) => {
-            let speaks = |term: &Expr| term.any(&|part| is_of(part, own));
-            let mut terms = others.iter().flat_map(|own| own.terms());
-            !speaks(right) && !terms.any(speaks)
-        }
-        Expr::Derivative { .. } => {
-            let is_slope = |part: &Expr| {
-                matches!(part, Expr::Derivative { .. } | Expr::Partial { .. })
-                    && part.any(&|own| own == left)
-            };
-            let mut terms = others.iter().flat_map(|own| own.terms());
-            !right.any(&is_slope) && !terms.any(|term| term.any(&is_slope))
-        }
-        _ => false,
-    }
-}
-
-fn is_of(part: &Expr, symbol: &Symbol) -> bool {
-    match part {
-        Expr::Symbol(own) | Expr::Apply(own, _) => own == symbol,
-        own => own.binder() == Some(symbol),
-    }
 }
 
 fn slips<'a>(

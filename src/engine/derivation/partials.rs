@@ -100,26 +100,23 @@ impl Said {
         if variables.is_empty() {
             return self.with_parameters(body, constant);
         }
-        let mut is_told = false;
-        let together = match name_of(&body).cloned() {
-            Some(name) => self
-                .formula(&name, &variables, others)
-                .map(|(of, together)| {
-                    body = of;
-                    together
-                }),
+        let mut presumed = false;
+        let is_name = name_of(&body).is_some();
+        let name = name_of(&body).or_else(|| function_of(&body)).cloned();
+        let given = name.and_then(|name| Some((self.formula(&name, &variables, others)?, name)));
+        let together = match given {
+            Some(((of, together), name)) => {
+                body = match is_name {
+                    true => of,
+                    false => body.replace(&Expr::Symbol(name), &of),
+                };
+                Some(together)
+            }
+            None if is_name => None,
             None => {
-                let own = function_of(&body).cloned();
-                let own =
-                    own.and_then(|name| Some((self.formula(&name, &variables, others)?, name)));
-                match own {
-                    Some(((of, together), name)) => {
-                        body = body.replace(&Expr::Symbol(name), &of);
-                        is_told = true;
-                        Some(together)
-                    }
-                    None => self.evaluated(&body, &variables, others),
-                }
+                let together = self.evaluated(&body, &variables, others);
+                presumed = together.is_some();
+                together
             }
         };
         let held_with = |variable: &Symbol| {
@@ -128,7 +125,6 @@ impl Said {
             let held: Box<[Symbol]> = held.cloned().collect();
             (!held.is_empty()).then_some(held)
         };
-        let presumed = name_of(&body).is_none() && !is_told && together.is_some();
         let derived = |body: Expr, variable: Symbol| Expr::Partial {
             body: body.into(),
             held: held_with(&variable),
@@ -190,22 +186,20 @@ fn equal_sides(clause: &Clause) -> Vec<&Expr> {
     }
 }
 
-/// The name of what is given or differentiated.
 /// What a function is taken of, if it is of a name alone: `\ln z`, `v^2`.
 fn function_of(term: &Expr) -> Option<&Symbol> {
-    match term {
-        Expr::Call(_, inner) | Expr::Negate(inner) => match &**inner {
-            Expr::Symbol(name) => Some(name),
-            inner => function_of(inner),
-        },
-        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => match &**base {
-            Expr::Symbol(name) => Some(name),
-            base => function_of(base),
-        },
-        _ => None,
+    let inner = match term {
+        Expr::Call(_, inner) | Expr::Negate(inner) => inner,
+        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => base,
+        _ => return None,
+    };
+    match &**inner {
+        Expr::Symbol(name) => Some(name),
+        inner => function_of(inner),
     }
 }
 
+/// The name of what is given or differentiated.
 fn name_of(term: &Expr) -> Option<&Symbol> {
     match term {
         Expr::Symbol(name) | Expr::Apply(name, _) => Some(name),

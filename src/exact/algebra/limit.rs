@@ -1,6 +1,7 @@
 //! Limits: of rational functions, of sums without end, at a place of what sines, exponentials and roots are in, and at infinity of what exponentials are in, too.
 
 use super::effort::is_spent;
+use super::function::inverse;
 use super::lower::{LowerError, Lowered, Lowering};
 use super::{
     Atom, Conditions, Expr, Fraction, Function, LimitPoint, Polynomial, Symbol, Var, expr_of,
@@ -307,35 +308,22 @@ impl Lowering<'_> {
         variable: &Symbol,
     ) -> Result<Option<Fraction>, LowerError> {
         let slope = self.atom_derivative(var, variable)?;
-        let own = Fraction::from(Polynomial::var(var));
-        let Some(inverse) = own.recip()? else {
-            return Ok(None);
-        };
-        let rate = slope.times(&inverse)?;
-        let variable_atom = self.atom_of_symbol(variable);
-        let own = self.atoms.var(variable_atom);
-        let coefficients = rate.numerator().in_powers_of(own);
-        let below = rate.denominator().map(|(factor, _)| factor);
+        let rate = slope.times(&inverse(&Polynomial::var(var).into())?)?;
+        let own = self.atom_of_symbol(variable);
+        let coefficients = rate.numerator().in_powers_of(self.atoms.var(own));
+        let below = rate.expanded_denominator()?;
         let stays = |polynomial: &Polynomial| {
-            polynomial
-                .vars()
-                .iter()
-                .all(|&var| var != own && self.is_constant(self.atoms.atom(var), variable))
+            let vars = polynomial.vars();
+            let mut atoms = vars.iter().map(|&var| self.atoms.atom(var));
+            atoms.all(|atom| self.is_constant(atom, variable))
         };
-        if !coefficients.iter().chain(below).all(stays) {
-            return Ok(None);
-        }
         let Some(leading) = coefficients.last().filter(|own| !own.is_zero()) else {
             return Ok(None);
         };
-        let mut far_out = Fraction::from(leading.clone());
-        for (factor, exponent) in rate.denominator() {
-            let own = Fraction::from(factor.clone()).pow(exponent)?;
-            let Some(inverse) = own.recip()? else {
-                return Ok(None);
-            };
-            far_out = far_out.times(&inverse)?;
+        if !coefficients.iter().chain([&below]).all(stays) {
+            return Ok(None);
         }
+        let far_out = Fraction::from(leading.clone()).times(&inverse(&below.into())?)?;
         Ok(Some(far_out))
     }
 

@@ -232,6 +232,12 @@ pub fn prove_posed(obligation: &Obligation, effort: Effort) -> Option<Derived> {
     }
 }
 
+/// The same, the easier way if that will do.
+pub fn prove_by_degrees(obligation: &Obligation) -> Option<Derived> {
+    let mut efforts = [Effort::Light, Effort::Full].into_iter();
+    efforts.find_map(|effort| prove_posed(obligation, effort))
+}
+
 pub(super) fn derived(obligation: &Obligation, certificate: Certificate) -> Option<Derived> {
     let combined = match certificate.rates.is_empty() {
         true => combined_hypotheses(obligation.problem(), &certificate),

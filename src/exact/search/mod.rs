@@ -44,7 +44,8 @@ use crate::sorted::Set;
 pub use algebraic::without_rational_points;
 use attempt::{Attempt, attempt_with, derived, prove};
 pub use attempt::{
-    Derived, divided_beside_roots, may_do_without, prove_posed, prove_unconditionally,
+    Derived, divided_beside_roots, may_do_without, prove_by_degrees, prove_posed,
+    prove_unconditionally,
 };
 use consistency::contradiction;
 pub use consistency::{Consistency, consistency, consistency_posed, rests_on_contradiction};

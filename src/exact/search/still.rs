@@ -7,7 +7,7 @@ use super::refute::Points;
 use super::unfold::definitions_to_unfold;
 use super::{
     Decision, Derived, Effort, QUICK, assuming, contradiction, first, nowhere_put, pose,
-    prove_posed, rates, refuted, refuted_beyond,
+    prove_by_degrees, rates, refuted, refuted_beyond,
 };
 use crate::algebra::{Atom, Expr, Formula, Polynomial, Rational, Symbol, element_parts, expr_of};
 use crate::kernel::{
@@ -24,10 +24,7 @@ pub(super) fn decide(obligation: &Obligation) -> Option<Decision> {
     let still = held_still(obligation, obligation.problem());
     let claim = obligation.claim();
     let with = |still: &[Formula]| pose(assuming(claim, still)).ok();
-    let proved = |still: &[Formula]| -> Option<Derived> {
-        let posed = with(still)?;
-        prove_posed(&posed, Effort::Light).or_else(|| prove_posed(&posed, Effort::Full))
-    };
+    let proved = |still: &[Formula]| -> Option<Derived> { prove_by_degrees(&with(still)?) };
     if let Some((derived, conditions)) = fewest(still.clone(), proved) {
         // From what cannot be anything follows.
         return is_possible(claim, &conditions).then_some(Decision::Proven {

@@ -20,20 +20,18 @@ const COMPARING: [&str; 7] = [
 ];
 /// So it goes on with one of these before that: "Comparing this with the standard form $$…$$ one reads off".
 const READING: [&str; 3] = ["read", "reads", "reading"];
-const OFF: &str = "off";
+const OFF: [&str; 1] = ["off"];
 /// So many equations with the left side of another are compared with that.
 const MOST_SAME: usize = 3;
 
 impl Judge<'_> {
     /// Whether words say that terms are compared.
     pub(super) fn compares(&self) -> bool {
-        let words = self.derivation.leading_words(self.at);
-        let reads_off = |pair: &[String]| READING.contains(&&*pair[0]) && pair[1] == OFF;
         let goes_on = || {
             let before = self.derivation.before_display(self.at);
             before.is_some_and(|before| self.is_led_to_by(before, &COMPARING))
         };
-        self.says(&COMPARING) || words.windows(2).any(reads_off) && goes_on()
+        self.says(&COMPARING) || self.says_in_a_row(&READING, &OFF) && goes_on()
     }
 
     /// What is compared as words say, for every value of a variable that the step leaves out: "From slope $b$ and intercept $a$" of

@@ -24,7 +24,7 @@ const ALIKE: [&str; 10] = [
 /// With one of these it sets something against what stands before.
 const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
 /// So it is with this before one of these: a "reduced length" is no other length than before.
-const REDUCED: &str = "reduced";
+const REDUCED: [&str; 1] = ["reduced"];
 const BY_HOW_MUCH: [&str; 3] = ["to", "by", "from"];
 /// What words say of what does not change, and of what they say it.
 const CONSERVED: &str = "conserved";
@@ -103,9 +103,7 @@ impl Judge<'_> {
 
     /// Whether words set what is said against what stands before: "The wall moment is then reduced to".
     pub(in crate::audit) fn sets_against(&self) -> bool {
-        let words = self.derivation.leading_words(self.at);
-        let is_reduced = |pair: &[String]| matches!(pair, [one, next] if *one == REDUCED && BY_HOW_MUCH.contains(&&**next));
-        self.says(&SET_AGAINST) || words.windows(2).any(is_reduced)
+        self.says(&SET_AGAINST) || self.says_in_a_row(&REDUCED, &BY_HOW_MUCH)
     }
 
     /// Leaves open what was refuted after a law that only words name: "Kinetic energy is conserved as well", where no display says that.
@@ -201,6 +199,13 @@ impl Judge<'_> {
     /// Whether the last sentence before the step has one of these words.
     pub(in crate::audit) fn says(&self, such: &[&str]) -> bool {
         self.is_led_to_by(self.at, such)
+    }
+
+    /// Whether one of some words stands there, and one of others after it.
+    pub(in crate::audit) fn says_in_a_row(&self, first: &[&str], next: &[&str]) -> bool {
+        let words = self.derivation.leading_words(self.at);
+        let are_these = |pair: &[String]| first.contains(&&*pair[0]) && next.contains(&&*pair[1]);
+        words.windows(2).any(are_these)
     }
 
     /// The same of the last sentence before another display.

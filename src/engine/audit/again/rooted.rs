@@ -36,7 +36,7 @@ impl Judge<'_> {
         let (Expr::Symbol(root), value) = goal.formula.as_equation()? else {
             return None;
         };
-        if !goal.is_said_outright() || !self.says(&ROOTS) || self.is_of_another_law() {
+        if !self.is_said_to_solve(goal) {
             return None;
         }
         let (solved, unknown) = self.equation_of(root, value, premises)?;
@@ -98,16 +98,12 @@ impl Judge<'_> {
         let (Expr::Symbol(_), value) = goal.formula.as_equation()? else {
             return None;
         };
-        if !goal.is_said_outright() || !self.says(&ROOTS) || self.is_of_another_law() {
+        if !self.is_said_to_solve(goal) {
             return None;
         }
         let own = self.derivation.equations[self.at].statements();
         let roots: Vec<Symbol> = own.iter().flat_map(formulas).filter_map(root_of).collect();
-        let cited = self.usable.assumed.iter().filter(|own| match own.source {
-            Source::Equation(at) => premises.contains(&at),
-            _ => false,
-        });
-        let cited: Vec<&Formula> = cited.map(|own| &*own.formula).collect();
+        let cited: Vec<&Formula> = self.cited_laws(premises).collect();
         let named = Formula::names_in(cited.iter().flat_map(|own| own.terms()));
         if roots.len() < 2 || roots.iter().any(|own| named.contains(own)) {
             return None;
@@ -127,16 +123,14 @@ impl Judge<'_> {
         }
         let system = cited.into_iter().filter(|own| speaks(own));
         let system = system.filter(|own| own.as_equation().is_some() && !own.speaks_of_slopes());
-        let system: Vec<Assumed> = system
-            .map(|law| {
-                let there = law.map_terms(|term| {
-                    (unknowns.iter().zip(&roots)).fold(term.clone(), |term, (of, root)| {
-                        term.substitute(of, &Expr::Symbol(root.clone()))
-                    })
-                });
-                taken(&there)
+        let put_in = |law: &Formula| {
+            law.map_terms(|term| {
+                (unknowns.iter().zip(&roots)).fold(term.clone(), |term, (of, root)| {
+                    term.substitute(of, &Expr::Symbol(root.clone()))
+                })
             })
-            .collect();
+        };
+        let system: Vec<Formula> = system.map(put_in).collect();
         if system.len() < roots.len() {
             return None;
         }
@@ -145,19 +139,29 @@ impl Judge<'_> {
             ..taken(&own)
         });
         let values = self.where_all_is_positive(goal, values.collect());
-        let there: Vec<Formula> = system
-            .iter()
-            .map(|own| Formula::clone(&own.formula))
-            .collect();
-        let assumed = self.where_all_is_positive(goal, system);
+        let assumed = self.where_all_is_positive(goal, system.iter().map(taken).collect());
         effort::within(MOST_WORK, || {
             // It is this one that is wrong, and not what stands beside it; that shows where all of them are put in.
             self.counterexample(&assumed, &goal.formula)?;
-            there.iter().find_map(|law| {
+            system.iter().find_map(|law| {
                 let refuted = self.counterexample(&values, law)?;
                 Some(refuted_of(goal, law, &values, refuted))
             })
         })
+    }
+
+    /// Whether words say that a goal solves something, and not another law than stands before.
+    fn is_said_to_solve(&self, goal: &Goal) -> bool {
+        goal.is_said_outright() && self.says(&ROOTS) && !self.is_of_another_law()
+    }
+
+    /// What the equations say that are cited.
+    fn cited_laws(&self, premises: &[usize]) -> impl Iterator<Item = &Formula> {
+        let cited = self.usable.assumed.iter().filter(|own| match own.source {
+            Source::Equation(at) => premises.contains(&at),
+            _ => false,
+        });
+        cited.map(|own| &*own.formula)
     }
 
     /// The equation that something is said to be a root of, and the unknown of it: what the last sentence says, what is cited, or what stands
@@ -169,11 +173,7 @@ impl Judge<'_> {
         premises: &[usize],
     ) -> Option<(Formula, Symbol)> {
         let said = self.derivation.written_before(self.at);
-        let cited = self.usable.assumed.iter().filter(|own| match own.source {
-            Source::Equation(at) => premises.contains(&at),
-            _ => false,
-        });
-        let cited = cited.map(|own| (*own.formula).clone());
+        let cited = self.cited_laws(premises).cloned();
         let unknown = |formula: &Formula| {
             let (left, right) = formula.as_equation()?;
             let is_one = |own: &&Symbol| root.is_variant_of(own) && !value.mentions(own);

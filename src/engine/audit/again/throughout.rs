@@ -57,11 +57,8 @@ impl Judge<'_> {
         variables.extend(slopes);
         (variables.iter()).any(|variable| self.holds_for_all(variable, goal, set, found))
             || (self.compared(goal, set).iter()).any(|(variable, own)| {
-                let claim = self.derivation.claim(self.at, own, &goal.formula);
-                let held = self.held_compared(&claim, variable);
-                held.is_some_and(|held| {
-                    self.holds_beside((variable, held, claim), goal, own, found)
-                })
+                let beside = self.beside_compared(variable, goal, own);
+                beside.is_some_and(|beside| self.holds_beside(beside, goal, own, found))
             })
     }
 
@@ -73,15 +70,17 @@ impl Judge<'_> {
         set: &[Assumed],
         found: &mut Found,
     ) -> bool {
-        let claim = self.derivation.claim(self.at, set, &goal.formula);
-        let held = self.held(&claim, variable);
-        held.is_some_and(|held| self.holds_beside((variable, held, claim), goal, set, found))
+        let beside = self.beside(variable, goal, set);
+        beside.is_some_and(|beside| self.holds_beside(beside, goal, set, found))
     }
 
-    /// Whether the step holds for every value of a variable beside which some symbols do not move.
     fn holds_beside(
         &self,
-        (variable, held, claim): (&Symbol, Vec<Symbol>, Claim),
+        Beside {
+            variable,
+            held,
+            claim,
+        }: Beside,
         goal: &Goal,
         set: &[Assumed],
         found: &mut Found,
@@ -157,9 +156,7 @@ impl Judge<'_> {
         effort::within(MOST_WORK, || {
             let mut variables = variables.iter();
             variables.find_map(|variable| {
-                let claim = self.derivation.claim(self.at, &set, &goal.formula);
-                let held = self.held(&claim, variable)?;
-                self.fails_for_all((variable, held, claim), goal, &set)
+                self.fails_beside(self.beside(variable, goal, &set)?, goal, &set)
             })
         })
     }
@@ -179,17 +176,18 @@ impl Judge<'_> {
         let compared = self.compared(goal, &set);
         effort::within(MOST_WORK, || {
             (compared.iter()).find_map(|(variable, own)| {
-                let claim = self.derivation.claim(self.at, own, &goal.formula);
-                let held = self.held_compared(&claim, variable)?;
-                self.fails_for_all((variable, held, claim), goal, own)
+                self.fails_beside(self.beside_compared(variable, goal, own)?, goal, own)
             })
         })
     }
 
-    /// The same for every value of one variable.
-    fn fails_for_all(
+    fn fails_beside(
         &self,
-        (variable, held, claim): (&Symbol, Vec<Symbol>, Claim),
+        Beside {
+            variable,
+            held,
+            claim,
+        }: Beside,
         goal: &Goal,
         set: &[Assumed],
     ) -> Option<Found> {
@@ -243,10 +241,9 @@ impl Judge<'_> {
         let variables = self.variables_left_out(goal, &near);
         let compared = self.compared(goal, &near);
         let how_it_varies = |variable, all| {
-            let claim = self.derivation.claim(self.at, all, &goal.formula);
-            let held = self.held(&claim, variable)?;
-            let slopes = slopes(all, &held, variable);
-            (!slopes.is_empty()).then_some((variable, all, claim, held, slopes))
+            let beside = self.beside(variable, goal, all)?;
+            let slopes = slopes(all, &beside.held, variable);
+            (!slopes.is_empty()).then_some((all, beside, slopes))
         };
         let how_they_vary = variables.iter().find_map(|variable| {
             let mut all = [assumed, &near].into_iter();
@@ -256,9 +253,14 @@ impl Judge<'_> {
             let mut compared = compared.iter();
             compared.find_map(|(variable, own)| how_it_varies(variable, own))
         });
-        let Some((variable, all, claim, held, slopes)) = how_they_vary else {
+        let Some((all, beside, slopes)) = how_they_vary else {
             return;
         };
+        let Beside {
+            variable,
+            held,
+            claim,
+        } = beside;
         // With their slopes laws are said of one point: what they lead elsewhere need not be looked for. Definitions are put in.
         let said = all.iter().filter(|own| !works_out_a_slope(&own.formula));
         let said = said.map(|own| match definition(&own.formula) {
@@ -289,25 +291,49 @@ impl Judge<'_> {
     }
 
     /// What is not said to move with a variable. Nothing where that is too much, or nothing.
-    fn held(&self, claim: &Claim, variable: &Symbol) -> Option<Vec<Symbol>> {
-        held(claim, variable, |own| {
+    fn beside<'a>(&self, variable: &'a Symbol, goal: &Goal, set: &[Assumed]) -> Option<Beside<'a>> {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        Beside::of(claim, variable, |own| {
             self.auditor.changes(self.at, own, variable)
         })
     }
 
     /// The same in terms that are compared for every value of the variable: all that has no slope are coefficients.
-    fn held_compared(&self, claim: &Claim, variable: &Symbol) -> Option<Vec<Symbol>> {
-        held(claim, variable, |own| {
+    fn beside_compared<'a>(
+        &self,
+        variable: &'a Symbol,
+        goal: &Goal,
+        set: &[Assumed],
+    ) -> Option<Beside<'a>> {
+        let claim = self.derivation.claim(self.at, set, &goal.formula);
+        Beside::of(claim, variable, |own| {
             self.auditor.writes_slope(self.at, own, variable)
         })
     }
 }
 
-fn held(claim: &Claim, variable: &Symbol, moves: impl Fn(&Symbol) -> bool) -> Option<Vec<Symbol>> {
-    let named = claim.free_symbols().into_iter();
-    let held = named.filter(|&own| own != variable && !is_number(own, claim) && !moves(own));
-    let held: Vec<Symbol> = held.cloned().collect();
-    (1..=MOST_HELD).contains(&held.len()).then_some(held)
+/// A claim for every value of a variable, beside which some symbols do not move.
+struct Beside<'a> {
+    variable: &'a Symbol,
+    held: Vec<Symbol>,
+    claim: Claim,
+}
+
+impl<'a> Beside<'a> {
+    fn of(
+        claim: Claim,
+        variable: &'a Symbol,
+        moves: impl Fn(&Symbol) -> bool,
+    ) -> Option<Beside<'a>> {
+        let named = claim.free_symbols().into_iter();
+        let held = named.filter(|&own| own != variable && !is_number(own, &claim) && !moves(own));
+        let held: Vec<Symbol> = held.cloned().collect();
+        (1..=MOST_HELD).contains(&held.len()).then_some(Beside {
+            variable,
+            held,
+            claim,
+        })
+    }
 }
 
 /// Whether a symbol is a unit or π.

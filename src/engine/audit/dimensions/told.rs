@@ -9,14 +9,14 @@ use std::sync::Arc;
 
 use crate::algebra::{Dimension, Expr, Formula, Function, Rational, Symbol};
 use crate::derivation::{Derivation, Source, formulas, without_dots};
-use crate::dimension::{Conflict, Inference, Reading, occur};
+use crate::dimension::{Conflict, Inference, occur};
 use crate::document::Quantity;
 use crate::kernel::dimension::Scope;
 use crate::notation::{has_decimals, has_units, is_figures, measured};
 use crate::sorted::{self, Set, Tree};
 
 use super::by_name::{chooses_units, constants, quantities, time};
-use super::{Dimensions, is_crossed_out, scope};
+use super::{Dimensions, constants_of_pieces, is_crossed_out, readings, scope, spoken_of};
 
 /// Of so many statements that disagree it is asked whether all others agree.
 const MOST_INVOLVED: usize = 12;
@@ -187,11 +187,7 @@ impl Row {
         scope: &Arc<Scope>,
         origin: &O,
     ) -> Result<(), Box<Conflict<O>>> {
-        let reading = |formula: &Formula| Reading {
-            formula: formula.clone(),
-            scope: Arc::clone(scope),
-        };
-        let readings: Vec<Reading> = self.formulas.iter().map(reading).collect();
+        let readings = readings(scope, self.formulas.clone());
         inference.read(&readings, origin, self.is_crossed)
     }
 }
@@ -245,10 +241,10 @@ fn rows(derivation: &Derivation, page: usize) -> Vec<Row> {
             },
         ));
     }
-    let spoken = LazyCell::new(|| super::spoken_of(derivation, page));
+    let spoken = LazyCell::new(|| spoken_of(derivation, page));
     for at in derivation.equations_of(page) {
         let equation = &derivation.equations[at];
-        let constants = super::constants_of_pieces(equation.statements(), &spoken);
+        let constants = constants_of_pieces(equation.statements(), &spoken);
         let is_constant = |own: &Symbol| constants.contains(own);
         for (part, statement) in equation.statements().iter().enumerate() {
             // What they are in another piece they need not be in this one.

@@ -142,7 +142,7 @@ impl Judge<'_> {
         let posed = self.pose(&all, &goal.formula);
         let again = posed
             .ok()
-            .and_then(|posed| Some((self.proved_again(&posed)?, posed)));
+            .and_then(|posed| Some((search::prove_by_degrees(&posed)?, posed)));
         let (kept, least) = match again {
             Some((derived, posed)) => self.least(all, goal, &posed, derived),
             None => (all, derived.proven),
@@ -151,12 +151,6 @@ impl Judge<'_> {
         found.conditions = conditions.into_iter().filter(is_kept).collect();
         found.judged.assumed = kept;
         found.judged.outcome = Outcome::Proven(least.into());
-    }
-
-    /// What was proved before, the easier way if that will do.
-    fn proved_again(&self, posed: &Obligation) -> Option<Derived> {
-        let mut efforts = [Effort::Light, Effort::Full].into_iter();
-        efforts.find_map(|effort| search::prove_posed(posed, effort))
     }
 
     /// What there is a counterexample to.

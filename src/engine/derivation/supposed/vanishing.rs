@@ -1,6 +1,6 @@
 //! What words say is zero, or has a value, without writing it as an equation: "Setting the derivative to zero".
 
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::document::{Citation, Span, Vanishing};
 use crate::notation::{Clause, read_expr};
 
@@ -168,14 +168,19 @@ pub(in crate::derivation) fn slope_by(display: &[Part], equations: &[Equation]) 
     })
 }
 
-/// How fast something changes, where an equation says so of this slope without speaking of the time: where that is zero, it is for good.
+/// How fast something changes, where an equation says so of this slope without speaking of the time.
 pub(in crate::derivation) fn rate_of(slope: &Expr, equations: &[Equation]) -> Option<Expr> {
     let Expr::Derivative { variable, .. } = slope else {
         return None;
     };
     let mut before = equations.iter().rev();
     let rate = right_side(before.find(|own| left_side(own) == Some(slope))?)?;
-    let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
+    lasting(rate, variable)
+}
+
+/// A rate that does not speak of the time: where that is zero, it is for good.
+fn lasting(rate: &Expr, time: &Symbol) -> Option<Expr> {
+    let changes = matches!(rate, Expr::Number(_)) || rate.mentions(time);
     (!changes).then(|| rate.clone())
 }
 
@@ -189,8 +194,7 @@ pub(in crate::derivation) fn rates_at(
         let rate = |law: Formula| match law.as_equation()? {
             // "In the steady state" heat flows all the same.
             (Expr::Derivative { variable, .. }, rate) if TIMES.contains(&variable.name()) => {
-                let changes = matches!(rate, Expr::Number(_)) || rate.mentions(variable);
-                (!changes).then(|| rate.clone())
+                lasting(rate, variable)
             }
             _ => None,
         };

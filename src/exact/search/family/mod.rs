@@ -9,7 +9,7 @@ mod written;
 
 use num_traits::ToPrimitive;
 
-use super::{Effort, pose, prove_posed};
+use super::{pose, prove_by_degrees};
 use crate::algebra::{
     Atom, Atoms, BigRational, Expr, Formula, Fraction, Lowering, Polynomial, Rational, Symbol,
     Values, Var,
@@ -273,9 +273,7 @@ impl Search<'_> {
         self.left.proofs -= 1;
         let parts = family.parts(self.claim).ok()?.into_iter();
         let proofs = parts.map(|(_, part)| {
-            let posed = pose(part).ok()?;
-            let light = prove_posed(&posed, Effort::Light);
-            let derived = light.or_else(|| prove_posed(&posed, Effort::Full));
+            let derived = prove_by_degrees(&pose(part).ok()?);
             derived.map(|derived| derived.proven)
         });
         check_family(self.claim, family, proofs.collect::<Option<_>>()?, &free).ok()
