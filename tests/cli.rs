@@ -546,6 +546,36 @@ By (1) and (2):\n$$ a = F/m \\tag{3} $$\n",
     assert!(json.contains("\"unused-premise\""), "{json}");
 }
 
+/// What a step before says of a new symbol has an exact value in a counterexample, and not the one that it has at `22/7` for π.
+#[test]
+fn what_was_put_in_is_exact_in_pi() {
+    let own = page(
+        "falling",
+        b"The friction on a sphere is\n\n$$ f = 6\\pi\\eta a v \\tag{1} $$\n\nand its weight less the lift is\n\n\
+$$ w = \\frac43 \\pi a^3 g \\tag{2} $$\n\nAt the final speed both are the same, $f = w$. Then the power lost is\n\n\
+$$ P = f v = \\frac{8\\pi a^5 g^2}{9\\eta} \\tag{3} $$\n",
+    );
+    let json = out(&program(&[
+        "check",
+        own.to_str().unwrap(),
+        "--format",
+        "json",
+    ]));
+    let json: Value = serde_json::from_str(&json).unwrap();
+    let equations = json["documents"][0]["equations"].as_array().unwrap();
+    let last = equations.last().unwrap();
+    assert_eq!(last["verdict"], "fails");
+    let text = last.to_string();
+    let power = text.find("\"P\":").map(|at| &text[at..]).unwrap();
+    assert!(
+        power.starts_with("\"P\":{\"in_pi\":[\"0\",\"4/3\"]}"),
+        "{text}"
+    );
+    let explained = out(&program(&["explain", "3", own.to_str().unwrap()]));
+    assert!(explained.contains("P = (4/3) π"), "{explained}");
+    assert!(!explained.contains("88/21"), "{explained}");
+}
+
 /// Whether a text matches one of the patterns that the schemas use.
 fn matches(pattern: &str, text: &str) -> bool {
     if pattern.starts_with("sqrt") {

@@ -16,7 +16,7 @@ use crate::algebra::Symbol;
 use crate::kernel::{Assignment, Obligation};
 use crate::sorted::Map;
 use concrete::{Concrete, Posed};
-pub use concrete::{complete, known_at};
+pub use concrete::{complete, known_at, put_in};
 pub use facts::{measured_in_units, negation, roots};
 pub use sizes::count_symbols;
 use sizes::{MOST_ELEMENTS, at_sizes, restored, rule_out, sizes};

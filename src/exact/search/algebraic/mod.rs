@@ -9,7 +9,7 @@ mod solve;
 mod state;
 
 use super::functions::{leave_open, needs, without_factor};
-use super::refute::{complete, count_symbols, measured_in_units, negation, roots};
+use super::refute::{complete, count_symbols, measured_in_units, negation, put_in, roots};
 use crate::algebra::{
     Atom, Atoms, Expr, Function, Monomial, Polynomial, Rational, Symbol, Univariate, Var,
 };
@@ -164,8 +164,8 @@ impl<'a> Posed<'a> {
             }
         }
         point.algebraic = Some(own.into());
-        let (claim, unfold) = (self.obligation.claim(), self.obligation.unfold());
-        complete(claim, unfold, &mut point);
+        let claim = self.obligation.claim();
+        complete(claim, &mut point);
         if !open.is_empty() {
             leave_open(claim, self.obligation.as_written(), &open, &mut point);
         }
@@ -173,6 +173,7 @@ impl<'a> Posed<'a> {
         if self.obligation.as_written().pi_is_the_number() {
             point.symbols.remove(&Symbol::new("\\pi"));
         }
+        put_in(claim, &mut point);
         point
     }
 }

@@ -11,9 +11,11 @@ use super::super::point::{Target, Wanted, satisfies};
 use super::super::values::candidates;
 use super::facts::{measured_in_units, negation, roots};
 use crate::algebra::{
-    Atom, Atoms, Expr, Lowering, Polynomial, Rational, Symbol, Var, element_parts,
+    Atom, Atoms, BigRational, Expr, Lowering, Polynomial, Rational, Symbol, Var, element_parts,
 };
-use crate::kernel::{Assignment, Claim, Domain, Fact, Obligation, Origin, Sign, definition};
+use crate::kernel::{
+    Assignment, Claim, Domain, Fact, Obligation, Origin, Sign, definition, in_powers_of_pi,
+};
 use crate::sorted::Map;
 
 /// The claim itself, or what it is with definite numbers of elements.
@@ -157,16 +159,13 @@ impl<'a> Concrete<'a> {
                 _ => {}
             }
         }
-        complete(
-            self.obligation.claim(),
-            self.obligation.unfold(),
-            &mut point,
-        );
+        complete(self.obligation.claim(), &mut point);
         let problem = self.obligation.as_written();
         in_terms_of_pi(problem, (&self.atoms, &self.roots), values, &mut point);
         if self.wanted != Wanted::Exponentials {
             leave_open(self.obligation.claim(), problem, values, &mut point);
         }
+        put_in(self.obligation.claim(), &mut point);
         point
     }
 }
@@ -189,12 +188,9 @@ fn value_at(point: &Assignment, symbol: &Symbol) -> Option<Rational> {
     value.map(Rational::from)
 }
 
-/// Gives every symbol a value that the search left open, and those that were put in theirs.
-pub fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
-    let defined: Vec<(Symbol, Expr)> = unfold
-        .iter()
-        .filter_map(|&at| definition(&claim.hypotheses[at].formula))
-        .collect();
+/// Gives every symbol a value that the search left open, but for those that were put in.
+pub fn complete(claim: &Claim, point: &mut Assignment) {
+    let defined = definitions(claim, point);
     let anything = Domain::default();
     for symbol in claim.free_symbols() {
         let irrational = point.algebraic.as_ref();
@@ -209,16 +205,50 @@ pub fn complete(claim: &Claim, unfold: &[usize], point: &mut Assignment) {
             point.symbols.insert(symbol.clone(), value);
         }
     }
-    for (symbol, term) in defined.iter().rev() {
-        let mut atoms = Atoms::default();
-        let mut lowering = Lowering::plain(&mut atoms);
-        let written = point.symbols.iter().fold(term.clone(), |t, (s, v)| {
-            t.substitute(s, &Expr::Number(v.clone()))
+}
+
+/// Gives those that were put in the values that they have where all others have theirs: rational ones, or polynomials in π.
+pub fn put_in(claim: &Claim, point: &mut Assignment) {
+    let pi = Symbol::new("\\pi");
+    for (symbol, term) in definitions(claim, point).iter().rev() {
+        let rational = point.symbols.iter().filter(|own| own.0 != symbol);
+        let rational = rational.map(|(own, value)| (own, Expr::Number(value.clone())));
+        let in_pi = point.in_pi.iter().filter(|own| own.0 != symbol);
+        let in_pi = in_pi.map(|(own, parts)| (own, in_powers_of_pi(parts)));
+        let written = rational.chain(in_pi);
+        let written = written.fold(term.clone(), |term, (own, value)| {
+            term.substitute(own, &value)
         });
-        if let Ok(value) = lowering.lower(&written)
-            && let Some(value) = value.as_constant()
-        {
-            point.symbols.insert(symbol.clone(), value.to_big());
+        let parts = in_parts(&written, &pi);
+        // What was found with another number for π is no value.
+        if parts.is_some() || written.mentions(&pi) {
+            point.symbols.remove(symbol);
+            point.in_pi.remove(symbol);
+        }
+        match parts.as_deref() {
+            Some([only]) => drop(point.symbols.insert(symbol.clone(), only.clone())),
+            Some(parts) => drop(point.in_pi.insert(symbol.clone(), parts.to_vec())),
+            None => {}
         }
     }
+}
+
+/// The coefficients of a term that is a polynomial in π, one of them at least.
+fn in_parts(term: &Expr, pi: &Symbol) -> Option<Vec<BigRational>> {
+    let mut atoms = Atoms::default();
+    let value = Lowering::plain(&mut atoms).lower(term).ok()?;
+    let value = value.as_polynomial()?;
+    let parts = match atoms.find(&Atom::Symbol(pi.clone())) {
+        Some(pi) if value.degree_in(pi) > 0 => value.in_powers_of(pi),
+        _ => vec![value.clone()],
+    };
+    let parts = parts.iter().map(|own| own.as_constant());
+    parts.map(|own| own.map(|own| own.to_big())).collect()
+}
+
+/// What was put in at a point, with the symbols for which it was.
+fn definitions(claim: &Claim, point: &Assignment) -> Vec<(Symbol, Expr)> {
+    let put_in = point.unfold.iter();
+    let put_in = put_in.filter_map(|&at| definition(&claim.hypotheses[at].formula));
+    put_in.collect()
 }
