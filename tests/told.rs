@@ -603,7 +603,9 @@ fn what_is_fixed_may_be_given() {
     };
     let right = ["given", "holds", "given", "holds", "holds"];
     assert_eq!(page(r"4 \pi r - \frac{2 V}{r^2}"), right);
-    assert_eq!(page(r"4 \pi r - \frac{2 V}{r}")[3], "fails");
+    assert_eq!(page(r"4 \pi r - \frac{V}{r^2}")[3], "fails");
+    // That it is a volume is said of it.
+    assert_eq!(page(r"4 \pi r - \frac{2 V}{r}")[3], "ill-dimensioned");
 }
 
 /// A volume that is fixed ties the height to the radius, be it named by its letter or by its word.
@@ -658,7 +660,7 @@ fn what_words_draw_is_no_definition() {
         (page(right), page(wrong))
     };
     let segment = "The area is\n\n$$ A = \\frac{r^2}{2} (\\varphi - \\sin\\varphi) \\tag{1} $$\n\nFor a half circle, $\\varphi = \\pi$, we recover";
-    let (right, wrong) = (r"A = \frac{\pi r^2}{2}", r"A = \frac{\pi r}{2}");
+    let (right, wrong) = (r"A = \frac{\pi r^2}{2}", r"A = \frac{\pi r^2}{4}");
     assert_eq!(end(segment, right, wrong), ("holds", "fails"));
 
     let lost = "The momentum balance reads\n\n$$ m v = (m + M) V \\tag{1} $$\n\nThe energy that is lost is\n\n\

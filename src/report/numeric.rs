@@ -44,7 +44,10 @@ fn constants(numeric: &Numeric) -> Option<String> {
 
 /// `left/right between 23.8 and 61.2`.
 fn compared(link: &Link) -> Option<String> {
-    let (left, right) = link.sides.as_ref()?;
+    let Some((left, right)) = &link.sides else {
+        let ratio = link.ratio.as_ref()?;
+        return Some(format!("left/right {}", nearly(ratio)));
+    };
     if link.goal.rounding.is_some() {
         return Some(format!("left {}, right {}", nearly(left), nearly(right)));
     }

@@ -1,6 +1,6 @@
 //! One equation: what it may use, its statements one after another, and whether the page begins with it.
 
-use crate::algebra::{Formula, Symbol, effort};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Equation, Goal, Kind, Source, first_goal, formulas, goals};
 use crate::kernel::Standing;
 use crate::notation::Statement;
@@ -97,6 +97,7 @@ impl Auditor<'_> {
         }
         let offer = |premise| self.offer(at, premise);
         let mut usable = usable(self.derivation, offer, at, &premises);
+        usable.assumed.extend(self.explained_after(at));
         let mut entries = Vec::new();
         // Where a formula is meant is said beside it.
         let domains = match equation.numeric {
@@ -183,6 +184,27 @@ impl Auditor<'_> {
             }
         }
         entries
+    }
+
+    /// What the display after an equation says that some of its symbols mean: "where the wavelength is".
+    fn explained_after(&self, at: usize) -> Vec<Assumed> {
+        let explained = &self.derivation.equations[at].explained;
+        let next = match explained.is_empty() {
+            true => None,
+            false => self.derivation.equations.get(at + 1),
+        };
+        let statements = next.into_iter().flat_map(|own| own.statements());
+        let said = statements.filter_map(first_goal).map(|goal| goal.formula);
+        let means = said.filter(|own| match own.as_equation() {
+            Some((Expr::Symbol(symbol), _)) => explained.contains(symbol),
+            _ => false,
+        });
+        let means = means.map(|formula| Assumed {
+            formula: formula.into(),
+            standing: Standing::Identity,
+            source: Source::Equation(at + 1),
+        });
+        means.collect()
     }
 
     /// The statements of what is given.

@@ -12,8 +12,8 @@ use crate::algebra::{Formula, Symbol, effort};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::notation::{plain, plain_symbol};
-use crate::search::{self, Decision, Effort, Implied, Mended};
-use crate::sorted;
+use crate::search::{self, Change, Decision, Effort, Implied, Mended};
+use crate::sorted::{self, Set};
 
 use self::unclear::{moves_unseen, only_changes, squared_to_nought, takes_slope_at_a_point};
 use super::again::borrowed::Before;
@@ -58,6 +58,8 @@ pub(super) struct Judge<'a> {
     pub others: OnceCell<[Vec<Assumed>; 2]>,
     /// The claims that were read last, the latest first.
     pub read: RefCell<Vec<Rc<Obligation>>>,
+    /// What was said in a section that is over and is said otherwise in this one: nothing stands on it here.
+    pub over: Set<usize>,
     /// Whether only proofs are of use to who asks: what holds in the place of what is refuted is not looked for.
     pub only_proofs: bool,
 }
@@ -73,6 +75,7 @@ impl<'a> Judge<'a> {
             before: OnceCell::new(),
             others: OnceCell::new(),
             read: RefCell::default(),
+            over: Set::new(),
             only_proofs: false,
         }
     }
@@ -92,6 +95,7 @@ impl<'a> Judge<'a> {
             before: Before::default().into(),
             others: <[Vec<Assumed>; 2]>::default().into(),
             read: self.read.clone(),
+            over: self.over.clone(),
             only_proofs: true,
             ..*self
         }
@@ -149,6 +153,24 @@ impl Found {
 
 impl Judge<'_> {
     pub fn goal(&self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
+        let mut found = self.goal_from_all(goal, steps, premises);
+        if found.judged.outcome.is_proven()
+            && let Some((twice, over)) = self.joins_two_sections(&found.judged, premises)
+        {
+            let without = self.without_what_is_over(goal, steps, premises, over);
+            if without.judged.outcome.is_proven() || without.judged.outcome.is_refuted() {
+                return without;
+            }
+            let twice = plain(&twice);
+            found.leave_open(format!(
+                "it joins what two sections say of `{twice}`, and they may speak of different cases"
+            ));
+        }
+        found
+    }
+
+    /// The same from all that was said, also of what is over.
+    fn goal_from_all(&self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
         if let Some(own) = self.beyond(goal) {
             return Found::open(Judged {
                 goal: goal.clone(),
@@ -224,14 +246,6 @@ impl Judge<'_> {
             found.leave_open(format!(
                 "it joins what was said of a constant `{}` with how that changes",
                 plain_symbol(symbol)
-            ));
-        }
-        if found.judged.outcome.is_proven()
-            && let Some(twice) = self.joins_two_sections(&found.judged, premises)
-        {
-            let twice = plain(&twice);
-            found.leave_open(format!(
-                "it joins what two sections say of `{twice}`, and they may speak of different cases"
             ));
         }
         if !found.judged.outcome.is_proven()
@@ -312,7 +326,11 @@ impl Judge<'_> {
                 "of `{changes}` only how it changes is told before, and it may be something else here"
             ));
         }
-        if found.judged.outcome.is_refuted() && self.is_unclear(&found.judged) {
+        // What follows with one other sign or number was meant so.
+        if found.judged.outcome.is_refuted()
+            && !found.mended.as_deref().is_some_and(is_of_numbers)
+            && self.is_unclear(&found.judged)
+        {
             found = Found::open(Judged {
                 outcome: Outcome::open(UNCLEAR),
                 ..found.judged
@@ -467,6 +485,14 @@ pub(super) fn condition(formula: &Formula) -> Assumed {
         standing,
         ..step(formula)
     }
+}
+
+/// Whether what is near differs by no more than a sign, a number or an exponent.
+fn is_of_numbers(own: &Mended) -> bool {
+    matches!(
+        own.change,
+        Change::Sign | Change::Coefficient | Change::Exponent
+    )
 }
 
 /// Where hypotheses come from, each source once.

@@ -10,7 +10,7 @@ use crate::search::{self, Effort, are_tied};
 use super::again::throughout::slope;
 use super::judge::{Found, Judge, step};
 use super::{Auditor, Outcome, stated};
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 /// Why a step is left open that follows only where something stands still.
 const MOVES: &str =
@@ -75,8 +75,8 @@ pub(super) struct Moving {
     total_slopes: Set<(Symbol, Symbol)>,
     /// The symbols of which its laws write a slope, with what by.
     written_slopes: Set<(Symbol, Symbol)>,
-    /// What words say to change.
-    told: Set<Symbol>,
+    /// What words say to change, with where they do first.
+    told: Map<Symbol, usize>,
     /// What equations differentiate by, each with the position of the first that does.
     variables: Vec<(Symbol, usize)>,
     /// Symbols by themselves on a side of an equation, whether that is the left one, and all that it speaks of.
@@ -94,10 +94,10 @@ impl Moving {
         let own_page = &derivation.pages[page];
         let constants = own_page.domains.iter().filter(|own| own.1.constant);
         found.constants = constants.map(|own| own.0.clone()).collect();
-        found.told = own_page.changing();
+        found.told = own_page.changing_since();
         // "As $n$ grows" goes from one whole number to the next.
         let is_whole = |own: &Symbol| own_page.domains.get(own).is_some_and(|own| own.integer);
-        found.told.retain(|own| !is_whole(own));
+        found.told.retain(|own, _| !is_whole(own));
         let locals = &own_page.locals;
         // What is so at one moment says nothing of others.
         let at_moment = |own: &Equation| {
@@ -143,12 +143,12 @@ impl Moving {
 
     /// Whether a symbol is differentiated, or told to change.
     fn moves(&self, symbol: &Symbol) -> bool {
-        self.differentiated.contains(symbol) || self.told.contains(symbol)
+        self.differentiated.contains(symbol) || self.told.contains_key(symbol)
     }
 
     /// Whether nothing but words says that a symbol changes.
     fn is_told_alone(&self, symbol: &Symbol) -> bool {
-        self.told.contains(symbol) && !self.differentiated.contains(symbol)
+        self.told.contains_key(symbol) && !self.differentiated.contains(symbol)
     }
 
     /// Whether a symbol is a limit of an integral over a variable, and differentiated nowhere.
@@ -215,7 +215,7 @@ impl Moving {
         });
         let moves_with = |other: &Symbol| {
             let is_slope = || self.slopes.contains(&(other.clone(), variable.clone()));
-            self.told.contains(other)
+            self.told.contains_key(other)
                 || self.differentiated.contains(other) && (*may_be_tied || is_slope())
         };
         let changes = |named: &Set<Symbol>| {
@@ -223,7 +223,7 @@ impl Moving {
             all.any(|other| other == variable || moves_with(other))
         };
         let mut explicit = self.explicit.iter();
-        let mut moving = self.differentiated.iter().chain(&self.told);
+        let mut moving = self.differentiated.iter().chain(self.told.keys());
         moving.any(is_meant)
             || explicit.any(|(own, left, named)| {
                 let stands = is_meant(own) && (*left || !given);
@@ -437,6 +437,14 @@ impl Auditor<'_> {
     pub(super) fn changes(&self, at: usize, symbol: &Symbol, variable: &Symbol) -> bool {
         let moving = self.moving(self.derivation.equations[at].page);
         moving.changes((symbol, false), variable, true)
+    }
+
+    /// Whether nothing but words of the page says that a symbol changes, and all of them behind an equation.
+    pub(super) fn is_told_to_change_later(&self, at: usize, symbol: &Symbol) -> bool {
+        let equation = &self.derivation.equations[at];
+        let moving = self.moving(equation.page);
+        let first = moving.told.get(symbol);
+        moving.is_told_alone(symbol) && first.is_some_and(|&place| place > equation.span.start)
     }
 
     /// Whether the page writes how fast a symbol changes with a variable.

@@ -1,12 +1,13 @@
 //! Numeric claims: definitions put in until figures are left, then weighed.
 
+mod coefficient;
 mod complex;
 mod constants;
 mod decimals;
 mod figures;
 mod put_in;
 mod reckoned;
-mod rounded;
+pub(super) mod rounded;
 mod solved;
 
 use num_traits::{One, Zero};

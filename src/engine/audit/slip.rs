@@ -89,19 +89,31 @@ impl Auditor<'_> {
         how: &Circumstances,
         mut entry: Entry,
     ) -> Entry {
-        if entry.verdict != Verdict::Undecided || !self.may_leave_unsaid(statement, how, &entry) {
+        // What speaks of nothing new may be derived all the same.
+        let brings_nothing =
+            |note: &Note| matches!(note, Note::TakenAsGiven(symbols) if symbols.is_empty());
+        let is_stated = entry.verdict == Verdict::Given && entry.notes.iter().any(brings_nothing);
+        let is_in_question = is_stated || entry.verdict == Verdict::Undecided;
+        if !is_in_question || !self.may_leave_unsaid(statement, how, &entry) {
             return entry;
         }
         let is_open = |own: &Judged| {
             let goal = &own.goal;
             let is_plain = goal.rounding.is_none() && !goal.questioned;
             let is_equation = goal.formula.as_equation().is_some();
-            let is_open = matches!(&own.outcome, Outcome::Open(stop) if is_simply_open(stop));
+            let is_open = match &own.outcome {
+                Outcome::Open(stop) => is_simply_open(stop),
+                Outcome::Stated | Outcome::Defined => is_stated,
+                _ => false,
+            };
             is_open && is_equation && is_plain
         };
-        let sets_against = || judge::Judge::new(self, how.at, how.usable).sets_against();
+        let is_of_others = || {
+            let judge = judge::Judge::new(self, how.at, how.usable);
+            judge.sets_against() || judge.draws_on_analogues()
+        };
         let open = entry.judged.iter().position(is_open);
-        let Some(open) = open.filter(|_| !sets_against()) else {
+        let Some(open) = open.filter(|_| !is_of_others()) else {
             return entry;
         };
         let judged = &entry.judged[open];
@@ -116,7 +128,13 @@ impl Auditor<'_> {
         let slips = slips.such_that(|own| samples.are_true_with(own));
         let link = (&entry, &judged.goal);
         let shown = || self.first_shown(statement, how, link, slips, MOST_TRIED);
-        let Some(shown) = effort::altogether(MOST_WORK, shown) else {
+        let shown = effort::altogether(MOST_WORK, shown);
+        // What a new name means may be guessed wrong.
+        let is_guessed = |own: &Shown| {
+            let is_guess = |own: &Assumed| own.source == Source::Taken && names_two(&own.formula);
+            is_stated && own.from.iter().any(is_guess)
+        };
+        let Some(shown) = shown.filter(|own| !is_guessed(own)) else {
             return entry;
         };
         let refuted = || self.refuted_beside(how, &judged.goal, &shown);
@@ -125,6 +143,8 @@ impl Auditor<'_> {
         };
         entry.judged[open] = refuted;
         entry.verdict = Verdict::Fails;
+        entry.kind = self.derivation.equations[how.at].kind;
+        entry.notes.retain(|note| !brings_nothing(note));
         entry.mended = Some(Box::new(shown.mended));
         entry
     }
@@ -353,6 +373,14 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
         Verdict::Undecided | Verdict::Given => is_weighed() && edited.judged.iter().all(fits),
         _ => false,
     }
+}
+
+/// Whether a formula says that two names mean the same.
+fn names_two(formula: &Formula) -> bool {
+    matches!(
+        formula.as_equation(),
+        Some((Expr::Symbol(_), Expr::Symbol(_)))
+    )
 }
 
 /// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.

@@ -223,6 +223,7 @@ impl Auditor<'_> {
                 .as_no_solution(goal, how.premises, None)
                 .or_else(|| judge.as_no_root(goal, how.premises))
                 .or_else(|| judge.as_no_root_of_system(goal, how.premises))
+                .or_else(|| judge.as_no_integral(goal))
         {
             links.contradicted = true;
             return Some(found);

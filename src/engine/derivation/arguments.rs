@@ -87,9 +87,15 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
             let is_so = !own.apart && places.all(|place| place == by || names_a_place(place));
             is_so.then_some(by)
         };
+        // "If $\zeta(\psi)$ is its elevation", and `\zeta(0) - \zeta(\pi/2)`.
+        let of_text = || {
+            let is_so = own.valued && own.alone && !own.apart && own.arguments.is_empty();
+            told.filter(|_| is_so)
+        };
         any |= own.valued;
         let argument = of_places().or(argument).or_else(beside_values);
         let by_law = argument.is_none().then(of_law).flatten();
+        let by_law = by_law.or_else(|| argument.is_none().then(of_text).flatten());
         if let Some(argument) = argument.or(by_law) {
             let may_be_left_out = may_be_left_out || by_law.is_some();
             let left_out = may_be_left_out && *argument != name;

@@ -7,7 +7,7 @@ use crate::algebra::{Expr, Formula, Place, Relation, Symbol, split_subscript};
 use crate::document::{Citation, Span};
 use crate::notation::{Clause, Connective, Spanned, Statement, read_expr, read_formulas};
 
-use super::equation::{conditions, formulas, of_page};
+use super::equation::{conditions, first_goal, formulas, of_page};
 use super::names::without_dots;
 use super::page::{Page, Premises};
 use super::running::family;
@@ -45,7 +45,10 @@ fn settle_page(
     let mut applied = Formula::applied_in(told.flat_map(|own| own.terms()));
     let mut of_display = page.locals.iter().filter(|own| own.of_display).peekable();
     let mut case: Option<Symbol> = None;
-    for equation in equations {
+    let meant: Vec<Set<Symbol>> = (0..equations.len())
+        .map(|at| meant_after(at, equations, page))
+        .collect();
+    for (at, equation) in equations.iter_mut().enumerate() {
         // A condition speaks of what it names, be the display of that place or not: "With $w = w_0$ at $x = 0$ the solution is".
         while let Some(own) = of_display.next_if(|own| own.span.end <= equation.span.start) {
             seen.extend(own.names());
@@ -60,6 +63,8 @@ fn settle_page(
         if equation.row == 0 {
             case = None;
         }
+        let mut explained = meant[at].clone();
+        explained.retain(|own| !seen.contains(own) && !sequences.have(own));
         let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {
             // All cases of a definition define the same symbol.
@@ -82,6 +87,9 @@ fn settle_page(
                     if without_dots(&symbol).is_some() {
                         seen.insert(Symbol::new(TIME));
                     }
+                    if explained.contains(&symbol) {
+                        continue;
+                    }
                     let is_new = seen.insert(symbol.clone()) && !sequences.have(&symbol);
                     let is_name = !is_number(&symbol) || page.domains.contains_key(&symbol);
                     if is_new && is_name {
@@ -100,8 +108,44 @@ fn settle_page(
             seen.extend(names_in(&page.document.source, equation.body));
         }
         (equation.defines, equation.introduces) = (defines, introduces);
+        equation.explained = explained;
         equation.explains = explains;
     }
+}
+
+/// The symbols of an equation of which the next display says what they mean, as words between them announce: "where the wavelength is".
+fn meant_after(at: usize, equations: &[Equation], page: &Page) -> Set<Symbol> {
+    let mut found = Set::new();
+    let (own, Some(next)) = (&equations[at], equations.get(at + 1)) else {
+        return found;
+    };
+    let between = own.span.end..next.span.start;
+    let between = page.document.source.get(between).unwrap_or_default();
+    let words = between.trim_start_matches(|c: char| !c.is_alphabetic());
+    let goes_on = words
+        .strip_prefix("where")
+        .is_some_and(|rest| rest.starts_with(char::is_whitespace) && !rest.contains(". "));
+    if !goes_on || next.drawn || own.statements.is_err() {
+        return found;
+    }
+    let names = own.statements().iter().flat_map(formulas);
+    let names: Set<Symbol> = names.flat_map(|own| own.names()).collect();
+    let left = own.statements().first().and_then(first_goal);
+    let left = left.and_then(|goal| match goal.formula.as_equation()?.0 {
+        Expr::Symbol(symbol) => Some(symbol.clone()),
+        _ => None,
+    });
+    for goal in next.statements().iter().filter_map(first_goal) {
+        if let Some((Expr::Symbol(symbol), value)) = goal.formula.as_equation()
+            && names.contains(symbol)
+            && left.as_ref() != Some(symbol)
+            && !value.mentions(symbol)
+            && !left.as_ref().is_some_and(|left| value.mentions(left))
+        {
+            found.insert(symbol.clone());
+        }
+    }
+    found
 }
 
 /// Whether a page goes on from no other: no directive says what its equations follow from, and it cites nothing that is not its own. Its letters are its own, too.

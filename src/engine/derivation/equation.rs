@@ -39,6 +39,8 @@ pub struct Equation {
     pub introduces: Set<Symbol>,
     /// Whether it would define its symbol, had the text not told what that is.
     pub explains: bool,
+    /// The symbols of which the display after it says what they mean: "where the Compton wavelength is $$\lambda_C = \frac{h}{m c}$$".
+    pub explained: Set<Symbol>,
     /// Whether the page opens with it and nothing is said of where it comes from.
     pub opens: bool,
     /// Whether words say that it is about the display before, too: "which by (2) is".

@@ -161,16 +161,30 @@ fn defined(equations: &[Equation], is_asked: impl Fn(&[Expr]) -> bool) -> BTreeS
 }
 
 /// The functions of one symbol that displays of a page define, which may be applied elsewhere to what is read as a factor: `v(L/2)` beside
-/// `v(x)`, though the page has `v` by itself, too.
-pub(super) fn with_values(equations: &[Equation]) -> BTreeSet<Symbol> {
+/// `v(x)`, though the page has `v` by itself, too. So may those that only the text writes with what they are functions of. And those that stand
+/// raised in what was not read, `w^2(z)`.
+pub(super) fn with_values<'a>(
+    equations: &[Equation],
+    source: &str,
+    inline: impl Iterator<Item = &'a Inline>,
+) -> BTreeSet<Symbol> {
     let statements = equations.iter().flat_map(|equation| equation.statements());
     let before = statements.flat_map(|statement| &statement.before);
     let factors = before.filter(|before| before.kind == BeforeKind::Factor);
-    let mut found: BTreeSet<Symbol> = factors.map(|before| before.name.clone()).collect();
-    if !found.is_empty() {
-        let defined = defined(equations, |arguments| arguments.len() == 1);
-        found.retain(|name| defined.contains(name));
+    let factors: Set<&Symbol> = factors.map(|before| &before.name).collect();
+    let unread = equations.iter().filter(|own| own.statements.is_err());
+    let unread = unread.filter_map(|own| source.get(own.body.range()));
+    let unread: Vec<&str> = unread.filter(|text| text.contains('^')).collect();
+    if factors.is_empty() && unread.is_empty() {
+        return BTreeSet::new();
     }
+    let mut found = defined(equations, |arguments| arguments.len() == 1);
+    let told = arguments_in_text(source, inline).into_iter();
+    found.extend(told.map(|own| own.0).filter(|own| factors.contains(own)));
+    found.retain(|own| {
+        let raised = || format!("{own}^");
+        factors.contains(own) || unread.iter().any(|text| text.contains(&raised()))
+    });
     found
 }
 

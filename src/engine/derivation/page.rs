@@ -189,7 +189,7 @@ pub(super) fn read_page(
     let alone = named.into_iter().filter_map(|math| read_symbol(math).ok());
     let spoken_of: Set<Symbol> = alone.collect();
     unread.context.run = sums::run_through(&equations);
-    unread.context.valued = names::with_values(&equations);
+    unread.context.valued = names::with_values(&equations, &page.document.source, inline(&items));
     if unread.context.run.is_some() || !unread.context.valued.is_empty() {
         page = unread.clone();
         (equations, derived) = read_items(&mut page, number, &items);

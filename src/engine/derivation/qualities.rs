@@ -236,14 +236,27 @@ impl Moving {
 impl Page {
     /// What the text says changes, "the mass $m$ grows", or lets change: `m(t)` is a function, and `\frac{dh}{dt}` the slope of one.
     pub fn changing(&self) -> Set<Symbol> {
+        self.changing_since().into_keys().collect()
+    }
+
+    /// The same with where it says so first.
+    pub fn changing_since(&self) -> Map<Symbol, usize> {
         let source = &self.document.source;
-        let said = self.document.prose().flat_map(|prose| &prose.changing);
-        let mut found: Set<Symbol> = said.flat_map(|&body| spoken_of(source, body)).collect();
+        let mut since: Map<Symbol, usize> = Map::new();
+        let mut tell = |symbol: Symbol, place: usize| {
+            let first = since.entry(symbol).or_insert(place);
+            *first = place.min(*first);
+        };
+        for &body in self.document.prose().flat_map(|prose| &prose.changing) {
+            let spoken = spoken_of(source, body).into_iter();
+            spoken.for_each(|symbol| tell(symbol, body.start));
+        }
         for math in self.document.inline() {
             let text = self.document.text(math.body);
             if !text.contains("\\frac{d") && !text.contains("\\dot") && !text.contains('(') {
                 continue;
             }
+            let mut found = Set::new();
             for term in terms(source, math.body) {
                 term.collect_differentiated(&mut found);
                 // Of `m(t)`, and not of `m(0)`.
@@ -251,8 +264,10 @@ impl Page {
                 term.collect_applied(&runs, &mut found);
                 found.extend(term.free_symbols().iter().filter_map(undotted));
             }
+            let found = found.into_iter();
+            found.for_each(|symbol| tell(symbol, math.body.start));
         }
-        found
+        since
     }
 }
 

@@ -1,12 +1,14 @@
 //! The quantities that a text names symbols as: "a rod of length $L$", "where $T(x)$ is the temperature".
 
-use crate::algebra::Symbol;
+use crate::algebra::{Expr, Formula, Relation, Symbol};
 use crate::dimension;
-use crate::document::Quantity;
+use crate::document::{Quantity, Subject};
 use crate::notation::read_symbol;
 
+use super::equation::first_goal;
 use super::page::Page;
 use super::qualities::named;
+use super::rows::Part;
 
 /// What may stand after the symbol that a text gives a name to.
 const RELATIONS: [&str; 7] = ["\\ll", "\\gg", "\\approx", "\\le", "\\ge", "\\in", "\\neq"];
@@ -25,6 +27,30 @@ impl Page {
                     *known = None;
                 }
             }
+        }
+    }
+
+    /// Takes up what the words before a display call the symbol that it gives: "The kinetic energy is $$K = \\frac12 m v^2$$". What they said of it
+    /// before counts.
+    pub(super) fn name_subject(&mut self, subject: Subject, display: &Part) {
+        let goal = display.statements.iter().flatten().find_map(first_goal);
+        let Some(Formula::Relation {
+            left: Expr::Symbol(symbol) | Expr::Apply(symbol, _),
+            relation: Relation::Equal,
+            ..
+        }) = goal.as_ref().map(|goal| &goal.formula)
+        else {
+            return;
+        };
+        let side = goal.as_ref().map_or(display.body, |goal| goal.sides.0);
+        if subject.may_be(symbol.name()) && !self.quantities.contains_key(symbol) {
+            let quantity = Quantity {
+                name: subject.name,
+                body: side,
+                first: side,
+                is_explained: true,
+            };
+            self.quantities.insert(symbol.clone(), Some(quantity));
         }
     }
 

@@ -5,6 +5,7 @@
 use std::cell::LazyCell;
 
 use crate::algebra::{Expr, Formula, LimitPoint, Symbol};
+use crate::notation::names_a_place;
 use crate::sorted::{Map, Set};
 
 use super::Equation;
@@ -24,6 +25,8 @@ struct Slope {
     /// What it is differentiated by.
     by: Symbol,
     is_dot: bool,
+    /// It has two primes somewhere: then what it is a function of may be left out.
+    is_curved: bool,
 }
 
 /// What a page gives by terms.
@@ -35,6 +38,10 @@ struct Given {
     defined: Vec<(Symbol, Set<Symbol>)>,
     /// Functions, each with what it is a function of; `None` where that is not the same everywhere.
     functions: Map<Symbol, Option<Symbol>>,
+    /// What stands with two primes, `w''(x)`, each with what it is a function of there.
+    curved: Map<Symbol, Set<Symbol>>,
+    /// What stands with primes, `w'(x)`, with what it is a function of there.
+    primed: Set<(Symbol, Symbol)>,
     /// All names with marks.
     marked: Set<Symbol>,
     /// What has a dot in `\frac{\partial L}{\partial \dot q}`: by that is differentiated as by a name of its own.
@@ -71,6 +78,7 @@ pub(super) fn read_marks(page: &mut Page, equations: &mut [Equation]) {
     }
     given.tie_together(&time);
     given.heed_slopes();
+    given.heed_curvatures();
     if given.marked.iter().any(|own| own.name().ends_with("''")) {
         let in_text = names::arguments_in_text(&page.document.source, page.document.inline());
         given.heed(in_text);
@@ -141,12 +149,35 @@ impl Given {
 
     /// The place `L` in `w(L) = \frac{F L^3}{3 E I}` is no variable of a `w` of which `\frac{dw}{dx}` is written, and no other slope.
     fn heed_slopes(&mut self) {
+        // `y'(x)` beside `\frac{dy}{dx}`.
+        for own in self.primed.iter().filter(|own| self.slopes.contains(own)) {
+            let (name, by) = own.clone();
+            self.functions.entry(name).or_insert(Some(by));
+        }
         for (name, argument) in &mut self.functions {
             let mut by = self.slopes.iter().filter(|own| own.0 == *name);
             if let (Some((_, by)), None) = (by.next(), by.next()) {
                 *argument = Some(by.clone());
             }
         }
+    }
+
+    /// What stands with two primes where it is a function of `x` alone is one of that, and `w(L) = \frac{F L^3}{3 E I}` its value at a place.
+    fn heed_curvatures(&mut self) {
+        let (functions, slopes) = (&mut self.functions, &self.slopes);
+        self.curved.retain(|name, arguments| {
+            let mut arguments = arguments.iter().filter(|own| !names_a_place(own));
+            let known = functions.get(name).and_then(Option::as_ref);
+            let is_known = known.is_some_and(|own| !names_a_place(own))
+                || slopes.iter().any(|own| own.0 == *name);
+            match (arguments.next(), arguments.next()) {
+                (Some(own), None) if !is_known => {
+                    functions.insert(name.clone(), Some(own.clone()));
+                    true
+                }
+                _ => false,
+            }
+        });
     }
 
     /// Where a page speaks of accelerations, what has dots and is given by others that have some moves as they do: after `s = x_1 + x_2`
@@ -201,8 +232,9 @@ impl Given {
             && base(name).is_some()
         {
             self.marked.insert(name.clone());
-            if matches!(term, Expr::Symbol(_)) {
-                self.alone.insert(name.clone());
+            match term {
+                Expr::Apply(_, arguments) => self.collect_primed(name, arguments),
+                _ => drop(self.alone.insert(name.clone())),
             }
         }
         if let Expr::Partial { variable, .. } = term
@@ -211,6 +243,16 @@ impl Given {
             self.varied.insert(name);
         }
         (term.children()).for_each(|part| self.collect_marked(part));
+    }
+
+    fn collect_primed(&mut self, marked: &Symbol, arguments: &[Expr]) {
+        if let (Some((name, order, false)), [Expr::Symbol(argument)]) = (base(marked), arguments) {
+            if order > 1 {
+                let known = self.curved.entry(name.clone()).or_default();
+                known.insert(argument.clone());
+            }
+            self.primed.insert((name, argument.clone()));
+        }
     }
 
     /// What a name stands for, if that is a slope of something that is given; of what is given in the time only where the text speaks `of_slopes`,
@@ -230,6 +272,7 @@ impl Given {
             false => self.functions.get(&name)?.clone().filter(may_be),
         };
         by.map(|by| Slope {
+            is_curved: self.curved.contains_key(&name),
             name,
             order,
             by,
@@ -263,7 +306,11 @@ impl Slope {
     /// With what is written in parentheses.
     fn at(&self, arguments: &[Expr]) -> Option<Expr> {
         let by = Expr::Symbol(self.by.clone());
-        let slope = || self.of(Expr::Apply(self.name.clone(), [by.clone()].into()));
+        let body = || match self.is_curved {
+            true => Expr::Symbol(self.name.clone()),
+            false => Expr::Apply(self.name.clone(), [by.clone()].into()),
+        };
+        let slope = || self.of(body());
         match arguments {
             [argument] if *argument == by => Some(slope()),
             // Of a dotted name the value at a number is read later.

@@ -2,7 +2,7 @@
 
 use super::Span;
 use super::inserted::Inserted;
-use super::quantity::Quantity;
+use super::quantity::{Quantity, Subject};
 use crate::algebra::{BigRational, Relation};
 use crate::notation::Spanned;
 
@@ -92,6 +92,8 @@ pub struct Prose {
     pub qualities: Vec<Qualities>,
     /// The quantities that it names symbols as, in order.
     pub quantities: Vec<Quantity>,
+    /// The quantity that the next display says, by its name: "The kinetic energy of the disc is".
+    pub subject: Option<Subject>,
     /// The mathematics of sentences that say that something changes.
     pub changing: Vec<Span>,
     /// Values that it names ("for $n = 3$", "if $v = 0$") without saying plainly that they are supposed, in order.

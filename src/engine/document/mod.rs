@@ -50,7 +50,7 @@ pub use nearest::nearest;
 pub use notebook::NotANotebook;
 pub use origin::{Cell, File, Origin};
 pub use outline::front_matter;
-pub use quantity::Quantity;
+pub use quantity::{Quantity, Subject};
 pub use source::{NotUtf8, Position, next_command};
 pub use span::Span;
 pub use tables::{Cell as TableCell, TableRow};

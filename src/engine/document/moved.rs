@@ -63,6 +63,7 @@ fn move_prose(prose: &mut Prose, by: usize) {
         suppositions,
         qualities,
         quantities,
+        subject: _,
         changing,
         mentions,
         leading,

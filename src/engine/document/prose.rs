@@ -264,6 +264,7 @@ pub(super) fn read(source: &str, span: Span, inline: &[Inline], hidden: &[Span])
         leading: leading(source, &tokens).unwrap_or_default(),
         qualities,
         quantities: quantity::read(source, &tokens),
+        subject: quantity::subject(&tokens),
         changing,
         mentions,
         named,

@@ -54,6 +54,11 @@ static NAMES: &[Name] = &[
     plain("resistivity"), plain("permittivity"), plain("permeability"), plain("thickness"),
     measured_as("density", "mass density", &["\\rho", "\\varrho"]),
     measured_as("power", "power", &["P"]),
+    measured_as("period", "time", &["T"]),
+    measured_as("resistor", "resistance", &["R"]),
+    measured_as("inductor", "inductance", &["L"]),
+    measured_as("capacitor", "capacitance", &["C"]),
+    measured_as("work", "energy", &["W"]),
     measured_as("current", "current", &["I", "i"]),
     measured_as("tension", "force", &["T", "F"]),
     measured_as("cross-section", "area", &["A", "S", "a"]),
@@ -121,12 +126,120 @@ const AFTER: [&str; 17] = [
     "of", "and", "at", "in", "to", "for", "from", "between", "with", "on", "along", "inside",
     "outside", "above", "below", "behind", "through",
 ];
+/// Without more words each of these is said of several things: of what stands in the way of heat and of a current, of a temperature and its energy.
+const LOOSE: [&str; 12] = [
+    "resistance",
+    "resistivity",
+    "temperature",
+    "time",
+    "voltage",
+    "current",
+    "charge",
+    "tension",
+    "stress",
+    "permittivity",
+    "permeability",
+    "energy",
+];
+/// With one of these a sentence leads on to what something is.
+const SAYING: [&str; 6] = ["is", "becomes", "equals", "was", "reads", "be"];
+/// These may stand behind that.
+const TRAILING: [&str; 10] = [
+    "then",
+    "therefore",
+    "thus",
+    "hence",
+    "simply",
+    "just",
+    "now",
+    "given",
+    "by",
+    "again",
+];
+/// A subject begins with one of these.
+const ARTICLES: [&str; 5] = ["the", "its", "their", "this", "a"];
+/// One of these may stand before it.
+const BEFORE_SUBJECT: [&str; 13] = [
+    "and",
+    "so",
+    "then",
+    "hence",
+    "thus",
+    "therefore",
+    "that",
+    "where",
+    "but",
+    "consequently",
+    "finally",
+    "accordingly",
+    "while",
+];
+/// In so many words something is said of a subject, and in so many a sentence.
+const LONGEST_SUBJECT: usize = 10;
+const LONGEST_SENTENCE: usize = 40;
 /// So far before a symbol it is looked for what is said of it.
 const MOST_BEFORE: usize = 64;
 /// So many words describe what is named after a symbol.
 const MOST_DESCRIBING: usize = 2;
 /// So many words after a symbol are looked at for what it is counted per.
 const MOST_AFTER: usize = 5;
+
+/// What a display says, where the sentence that leads on to it has the name of a quantity for its subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Subject {
+    /// The name, in the singular.
+    pub name: &'static str,
+    letters: &'static [&'static str],
+}
+
+impl Subject {
+    /// Whether it is meant by what a symbol is written with.
+    pub(crate) fn may_be(&self, symbol: &str) -> bool {
+        self.letters.is_empty() || self.letters.iter().any(|own| symbol.starts_with(own))
+    }
+}
+
+/// The subject of the sentence that leads on to a display: "The kinetic energy of the disc is".
+pub(super) fn subject(tokens: &[Placed<'_>]) -> Option<Subject> {
+    let near = &tokens[tokens.len().saturating_sub(LONGEST_SENTENCE)..];
+    let start = near.iter().rposition(|(token, _)| token.is_stop());
+    let sentence = &near[start.map_or(0, |stop| stop + 1)..];
+    // "is then given by"
+    let trailing = |(token, _): &Placed<'_>| token.is_among(&TRAILING) || token.is_mark(',');
+    let end = sentence.len()
+        - sentence
+            .iter()
+            .rev()
+            .take_while(|own| trailing(own))
+            .count();
+    let (said, verb) = sentence[..end].split_at(end.checked_sub(1)?);
+    if !verb[0].0.is_among(&SAYING) {
+        return None;
+    }
+    // "The force on the wall": what is said of it more nearly.
+    let plain = said.iter().rev();
+    let plain = plain.take_while(|(token, _)| matches!(token, Token::Word(_)));
+    let clause = &said[said.len() - plain.take(LONGEST_SUBJECT).count()..];
+    let before = &said[..said.len() - clause.len()];
+    let article = clause.iter().position(|own| own.0.is_among(&ARTICLES))?;
+    let begins = match (article.checked_sub(1), before.last()) {
+        (Some(at), _) => clause[at].0.is_among(&BEFORE_SUBJECT),
+        (None, Some((token, _))) => token.is_mark(',') || token.is_mark(';'),
+        (None, None) => true,
+    };
+    let named = &clause[article + 1..];
+    let name = |at: usize| {
+        let words = (1..=LONGEST.min(named.len() - at)).rev();
+        let mut found = words.filter_map(|words| Some((name_of(&named[at..at + words])?, words)));
+        found.next()
+    };
+    let (at, (&(_, name, letters), words)) =
+        (0..named.len().min(MOST_DESCRIBING + 1)).find_map(|at| Some((at, name(at)?)))?;
+    let after = &named[at + words..];
+    let goes_on = after.is_empty() || among(after, 0, &AFTER) && !among(after, 0, &["and"]);
+    let is_plain = is_of_itself(&named[..at]) && !is_per_something(after) && goes_on;
+    (begins && is_plain && !LOOSE.contains(&name)).then_some(Subject { name, letters })
+}
 
 /// The quantities that symbols are said to be, in order.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Quantity> {

@@ -65,7 +65,8 @@ impl FromIterator<(Symbol, Interval)> for Figures {
 }
 
 impl Figures {
-    /// The same with symbols of which nothing is known but that they are not 0: a term has a value where they cancel.
+    /// The same with symbols of which nothing is known but that they are not 0, and below roots positive: a term has a value where they
+    /// cancel.
     pub fn but_free(self, free: &Set<Symbol>) -> Figures {
         Figures {
             free: free.clone(),
@@ -108,6 +109,17 @@ impl Figures {
         })
     }
 
+    /// The quotient of two terms, in which what is common to both is cancelled, where nothing else is left than that is known.
+    ///
+    /// # Errors
+    /// As [`Figures::value`].
+    pub fn ratio(&self, left: &Expr, right: &Expr) -> Result<Interval, NoInterval> {
+        let (above, below) = (self.terms(left, 0)?, self.terms(right, 0)?);
+        let quotient = self.reduced(&above, &below, right)?;
+        let undefined = || NoInterval::Undefined(right.clone());
+        self.interval(&quotient.ok_or_else(undefined)?, 0)
+    }
+
     /// The difference, in which what is common to both is cancelled.
     fn difference(
         &self,
@@ -138,16 +150,29 @@ impl Figures {
         divisor: &Expr,
         plain: Interval,
     ) -> Result<Interval, NoInterval> {
+        let Some(sum) = self.reduced(above, below, divisor)? else {
+            return Ok(plain);
+        };
+        let joint = self.interval_with(known, &sum, 0)?;
+        Ok(plain.meet(&joint).unwrap_or(joint))
+    }
+
+    /// A quotient with what is common to both cancelled, where the divisor is one product.
+    fn reduced(
+        &self,
+        above: &Terms,
+        below: &Terms,
+        divisor: &Expr,
+    ) -> Result<Option<Terms>, NoInterval> {
         let mut inverse = self.raised(below.clone(), divisor, &Rational::from(-1), 0)?;
         let (Some((powers, factor)), true) = (inverse.pop_first(), inverse.is_empty()) else {
-            return Ok(plain);
+            return Ok(None);
         };
         let mut sum = Terms::new();
         for (own, coefficient) in above {
             add(&mut sum, multiplied(own, &powers), coefficient * &factor);
         }
-        let joint = self.interval_with(known, &sum, 0)?;
-        Ok(plain.meet(&joint).unwrap_or(joint))
+        Ok(Some(sum))
     }
 
     fn interval(&self, terms: &Terms, depth: usize) -> Result<Interval, NoInterval> {
@@ -285,7 +310,7 @@ impl Figures {
         // `(x²)^(1/2)` is not `x` for all `x`, and `1/x` not `x/x²` where `x` may be 0.
         for factor in powers.keys() {
             let is_free = matches!(factor, Expr::Symbol(own) if self.free.contains(own));
-            if is_free && exponent.is_integer() {
+            if is_free {
                 continue;
             }
             let value = self.factor(factor, depth + 1)?;

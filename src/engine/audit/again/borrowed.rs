@@ -159,7 +159,8 @@ impl Judge<'_> {
         // Of a wrong citation, or one of what is not there, is told whatever is found.
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
-        for other in relatives.into_iter().filter(|r| !premises.contains(r)) {
+        let is_other = |own: &usize| !premises.contains(own) && !self.over.contains(own);
+        for other in relatives.into_iter().filter(is_other) {
             let entries: Vec<&Entry> = self.auditor.entries_of(self.at, other).collect();
             let is_wrong = entries.iter().any(|e| e.is_wrong());
             let is_given = entries.iter().any(|e| e.verdict == Verdict::Given);

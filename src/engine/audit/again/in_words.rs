@@ -21,6 +21,14 @@ const ALIKE: [&str; 10] = [
     "similar",
     "same",
 ];
+/// "Firm 2 will follow the analogue of (3)" means another equation than (3).
+const ANALOGUE: [&str; 5] = [
+    "analogue",
+    "analog",
+    "counterpart",
+    "equivalent",
+    "analogues",
+];
 /// With one of these it sets something against what stands before.
 const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
 /// So it is with this before one of these: a "reduced length" is no other length than before.
@@ -62,6 +70,20 @@ impl Judge<'_> {
         if is_alike {
             found.leave_open(
                 "it says of others what stands before, and that these are alike is not checked",
+            );
+        }
+    }
+
+    /// Whether it is drawn from the analogue of something, which nobody writes.
+    pub(in crate::audit) fn draws_on_analogues(&self) -> bool {
+        self.says_in_a_row(&ANALOGUE, &["of"])
+    }
+
+    /// Leaves open what is drawn from the analogue of an equation, and was refuted by that equation itself.
+    pub(in crate::audit) fn heed_analogues(&self, found: &mut Found) {
+        if found.judged.outcome.is_refuted() && self.draws_on_analogues() {
+            found.leave_open(
+                "it is drawn from what is like an equation before, and that is not written",
             );
         }
     }

@@ -75,29 +75,32 @@ impl Judge<'_> {
             goal.formula.names().contains(symbol)
                 || others.any(|other| other.formula.names().contains(symbol))
         };
-        // What is said of every whole number is used at some.
+        // What is said of every whole number is used at some, and π is no unknown.
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
-        let is_whole = |symbol: &Symbol| page.domains.get(symbol).is_some_and(|own| own.integer);
+        let is_known = |symbol: &Symbol| match page.domains.get(symbol) {
+            Some(own) => own.integer,
+            None => symbol.is_unit() || symbol.name() == "\\pi",
+        };
         // What a function is has a value for every argument.
         let is_function = |own: &Assumed| {
             let sides = own.formula.as_equation();
             sides.is_some_and(|(left, _)| left.is_value_somewhere())
         };
-        let is_of_root = |own: &&Assumed| {
+        let root_of = |own: &Assumed| {
             let mut names = own.formula.names().into_iter();
-            !is_function(own)
-                && names.any(|symbol| {
-                    !is_whole(&symbol)
-                        && !elsewhere(own, &symbol)
-                        && is_curved_in(&own.formula, &symbol)
-                })
+            let root = names.find(|symbol| {
+                !is_known(symbol) && !elsewhere(own, symbol) && is_curved_in(&own.formula, symbol)
+            });
+            Some((own.source, root.filter(|_| !is_function(own))?))
         };
-        let source = used.iter().find(is_of_root)?.source;
+        let (source, root) = used.iter().find_map(root_of)?;
         let Source::Equation(at) = source else {
             return None;
         };
+        // The rest of its chain says more than that: `E = \frac{n^2 \pi^2 k^2}{2 m a^2} = \frac{n^2 h^2}{8 m a^2}`.
+        let speaks = |own: &Assumed| own.source == source && own.formula.names().contains(&root);
         let assumed = self.cited(goal, steps, premises).into_iter();
-        let assumed = assumed.filter(|own| own.source != source).collect();
+        let assumed = assumed.filter(|own| !speaks(own)).collect();
         let premises: Vec<usize> = premises.iter().copied().chain([at]).collect();
         Some(self.judged(goal, assumed, &premises))
     }

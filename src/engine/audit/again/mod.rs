@@ -11,6 +11,7 @@
 //! judged.
 
 mod against;
+mod antiderivative;
 mod approximated;
 pub(super) mod borrowed;
 mod compared;
@@ -33,7 +34,7 @@ mod solved;
 pub(super) mod there;
 pub(super) mod throughout;
 mod twice;
-mod unitless;
+pub(super) mod unitless;
 mod unstated;
 mod worded;
 

@@ -17,7 +17,7 @@ use super::conditions::collect_waves;
 use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named, without_factors};
 
 /// What a solution comes after, where nothing else says that it is one.
-const SOLVING: [&str; 17] = [
+const SOLVING: [&str; 18] = [
     "solve",
     "solved",
     "solves",
@@ -29,6 +29,7 @@ const SOLVING: [&str; 17] = [
     "integrates",
     "integrating",
     "integration",
+    "integrations",
     "integral",
     "separate",
     "separating",
@@ -86,10 +87,15 @@ const OBEYS: &str =
 /// So much work is done, as [`effort`] counts it.
 const MOST_WORK: u64 = 2_000_000;
 
+/// So many equations after a law are looked at for what solves it there.
+const MOST_SOLVED: usize = 64;
+
 /// What is said to be a solution, and of what.
 #[derive(Clone)]
 struct Solution {
     law: Assumed,
+    /// What was put into it: how what drives it goes with the variable.
+    drivers: Vec<Assumed>,
     variable: Symbol,
     /// What does not move in either.
     constants: Set<Symbol>,
@@ -204,6 +210,7 @@ impl Judge<'_> {
                 return None;
             }
             let mut found = refuted_of(goal, &own.law.formula, &own.assumed, refuted);
+            found.judged.assumed.append(&mut own.drivers);
             found.constant = own.constants.iter().cloned().collect();
             Some(found)
         })
@@ -225,7 +232,10 @@ impl Judge<'_> {
         // "and, since the liquid sticks to the wall, $u(a) = 0$,"
         let says_where = || {
             let mut said = self.derivation.conditions_said(self.at).into_iter();
-            said.any(|said| said.just_said && said.of == left)
+            said.any(|said| {
+                let is_of = |own: &Symbol| left.mentions(own);
+                said.just_said && matches!(&said.of, Expr::Symbol(own) if is_of(own))
+            })
         };
         let own = &self.derivation.equations[self.at];
         if !own.drawn && !self.says(&SOLVING) && !says_where() && !self.is_wave(&left, &right) {
@@ -246,18 +256,27 @@ impl Judge<'_> {
         let (left, right) = without_factors(&left, &right, &of).unwrap_or((left, right));
         let solution = Formula::equal(left, right.clone());
         let is_law = |own: &&Assumed| {
-            own.standing == Standing::Identity
+            (own.standing == Standing::Identity || speaks_of_course(&own.formula, &of, &variable))
                 && matches!(own.source, Source::Equation(_))
                 && own.formula.as_equation().is_some()
                 && standing_in_slopes([&*own.formula].into_iter()).contains(&of)
                 && own.formula.differentiates_by(&variable)
                 && order(&own.formula) > order(&goal.formula)
-                && !own.formula.speaks_of_values()
+                && !self.is_solved_there(&own.source, &of)
         };
         if !right.mentions(&variable) || own_variable.is_some_and(|own| own != variable) {
             return None;
         }
-        let mut law = laws().find(is_law)?.clone();
+        let driven = |law: &Assumed| {
+            let drivers = driven_by(laws(), &law.formula, (&of, &variable));
+            let formula = with_drivers_put_in(&law.formula, &drivers);
+            let law = Assumed {
+                formula: formula.into(),
+                ..law.clone()
+            };
+            (!law.formula.speaks_of_values()).then_some((law, drivers))
+        };
+        let (mut law, drivers) = laws().filter(is_law).find_map(driven)?;
         let said = law.formula;
         law.formula = with_numbers_put_in(&said, laws()).into();
         if !in_general && law.formula == said {
@@ -272,7 +291,11 @@ impl Judge<'_> {
         let is_number =
             |own: &Symbol| own.is_unit() || own.name() == "\\pi" && !page.domains.contains_key(own);
         constants.retain(|own| *own != of && *own != variable && !is_number(own));
-        let moves = |own: &Symbol| self.auditor.changes(self.at, own, &variable);
+        // What is said to vary further on does so from one case to another.
+        let moves = |own: &Symbol| {
+            self.auditor.changes(self.at, own, &variable)
+                && !self.auditor.is_told_to_change_later(self.at, own)
+        };
         if constants.iter().any(moves) {
             return None;
         }
@@ -289,6 +312,7 @@ impl Judge<'_> {
         let assumed = assumed.collect();
         let mut own = Solution {
             law,
+            drivers,
             assumed,
             fixed,
             variable,
@@ -310,6 +334,31 @@ impl Judge<'_> {
         let said: Vec<Assumed> = said.collect();
         own.assumed.extend(said);
         Some(own)
+    }
+
+    /// Whether a law stands in a section that is over, and something is said there to solve it: that may be of a case of its own.
+    fn is_solved_there(&self, law: &Source, of: &Symbol) -> bool {
+        let Source::Equation(law) = *law else {
+            return false;
+        };
+        let own = self.derivation.section_start(self.at);
+        let section = self.derivation.section_start(law);
+        let mut others =
+            (law + 1..own).take_while(|&at| self.derivation.section_start(at) == section);
+        let mut others = others.by_ref().take(MOST_SOLVED);
+        let gives = |formula: &Formula| {
+            let sides = formula.as_equation();
+            sides.is_some_and(|(left, right)| {
+                let factor = without_factors(left, right, of);
+                *left == Expr::Symbol(of.clone()) || factor.is_some()
+            })
+        };
+        others.any(|at| {
+            let statements = self.derivation.equations[at].statements().iter();
+            statements
+                .filter_map(first_goal)
+                .any(|own| gives(&own.formula))
+        })
     }
 
     /// A solution of the same display with what a goal says of one of its constants: "$x = A e^{-\gamma t} \cos\omega t, \quad
@@ -530,6 +579,75 @@ fn meant<'a>(
         None => false,
     };
     chain_of(&mut said.cloned().collect(), symbols, means)
+}
+
+/// What a law is driven by, of which it is said before how it goes with the variable: `M = \frac{w}{2} (L - x)^2` of `E I y'' = M`. What is
+/// said last counts.
+fn driven_by<'a>(
+    said: impl Iterator<Item = &'a Assumed>,
+    law: &Formula,
+    (of, variable): (&Symbol, &Symbol),
+) -> Vec<Assumed> {
+    let terms = law.terms();
+    let drives = |own: &&Assumed| {
+        let Some((driver, value)) = own.formula.as_equation() else {
+            return false;
+        };
+        let is_part = |name: &Symbol| {
+            let mut terms = terms.iter();
+            ![of, variable].contains(&name)
+                && !value.mentions(of)
+                && !value.mentions(name)
+                && terms.any(|term| term.any(&|part| part == driver))
+        };
+        own.standing == Standing::Identity
+            && value.mentions(variable)
+            && driving(driver, variable).is_some_and(is_part)
+    };
+    let mut found: Vec<Assumed> = Vec::new();
+    for own in said.filter(drives) {
+        let of = own.formula.as_equation().map(|own| own.0);
+        let is_same = |other: &&mut Assumed| other.formula.as_equation().map(|own| own.0) == of;
+        match found.iter_mut().find(is_same) {
+            Some(other) if other.source < own.source => *other = own.clone(),
+            Some(_) => {}
+            None => found.push(own.clone()),
+        }
+    }
+    found
+}
+
+/// Whether an equation says how a slope goes with what varies, `\frac{du}{dr} = -\frac{r g}{2 \mu}`: that is of more than one place, also where it
+/// was drawn from what words say.
+fn speaks_of_course(law: &Formula, of: &Symbol, variable: &Symbol) -> bool {
+    fn moves(term: &Expr, of: &Symbol, variable: &Symbol) -> bool {
+        match term {
+            Expr::Derivative { .. } | Expr::Partial { .. } | Expr::Limit { .. } => false,
+            Expr::Symbol(own) => own == of || own == variable,
+            term => term.children().any(|part| moves(part, of, variable)),
+        }
+    }
+    let mut terms = law.terms().into_iter();
+    terms.any(|term| moves(term, of, variable))
+}
+
+/// What is meant by `M` and by `M(x)`.
+fn driving<'e>(term: &'e Expr, variable: &Symbol) -> Option<&'e Symbol> {
+    match term {
+        Expr::Symbol(name) => Some(name),
+        Expr::Apply(name, arguments) if **arguments == [Expr::Symbol(variable.clone())] => {
+            Some(name)
+        }
+        _ => None,
+    }
+}
+
+/// A law with what it is driven by put in.
+fn with_drivers_put_in(law: &Formula, drivers: &[Assumed]) -> Formula {
+    let given = drivers.iter().filter_map(|own| own.formula.as_equation());
+    given.fold(law.clone(), |law, (name, value)| {
+        law.map_terms(|term| term.replace(name, value))
+    })
 }
 
 /// The symbol that something is given of, by itself or as a power: `\omega_0^2 = k/m`.

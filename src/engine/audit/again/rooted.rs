@@ -40,6 +40,13 @@ impl Judge<'_> {
             return None;
         }
         let (solved, unknown) = self.equation_of(root, value, premises)?;
+        // `P = \frac{V^2 R}{…}` is so for some `P` whatever the root: "It falls to half where … gives a quadratic equation whose roots are".
+        if let Some((Expr::Symbol(of), _)) = solved.as_equation()
+            && *of != unknown
+            && !value.mentions(of)
+        {
+            return None;
+        }
         let own = Expr::Symbol(root.clone());
         let there = solved.map_terms(|term| term.substitute(&unknown, &own));
         let speaks = |own: &Assumed| {

@@ -54,7 +54,15 @@ impl Judge<'_> {
         let by_itself = || self.said_of_itself(&asked, &cited, &words, premises);
         let by_itself = defines.then(by_itself).flatten();
         let at_a_place = || self.said_of_the_whole(&asked, cited, words, premises);
-        let (assumed, mut may_fail) = by_itself.or_else(at_a_place)?;
+        let (mut assumed, mut may_fail) = by_itself.or_else(at_a_place)?;
+        // "It is greatest at the clamp" means no place that was told before it.
+        if self.says_in_a_row(&["at"], &["the", "its"]) {
+            let all = assumed.len();
+            assumed.retain(|own| !self.is_told_before(own));
+            if assumed.len() < all {
+                may_fail = MayFail::Never;
+            }
+        }
         // What may be put for what there is not clear where it is a square that is said: "For circles $a = r$, so … Putting this in (1)".
         let is_named_only = |own: &Assumed| {
             let sides = own.formula.as_equation();
@@ -129,6 +137,22 @@ impl Judge<'_> {
         let positive = |symbol: Symbol| taken(&positive(&symbol));
         assumed.extend(free.into_iter().map(positive));
         assumed
+    }
+
+    /// Whether the text told something before the last display that sets a symbol.
+    fn is_told_before(&self, own: &Assumed) -> bool {
+        let Source::Local(page, local) = own.source else {
+            return false;
+        };
+        let told = self.derivation.local(page, local);
+        let sets = own.formula.as_equation();
+        sets.is_some_and(|(left, right)| {
+            matches!(
+                (left, right),
+                (Expr::Symbol(_), Expr::Symbol(_) | Expr::Number(_))
+            )
+        }) && own.standing == Standing::AtPoint
+            && !self.derivation.is_said_since(self.at, told.span)
     }
 
     /// The same from just these premises.

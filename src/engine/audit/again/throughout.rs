@@ -4,14 +4,14 @@
 //! At one time alone `x` may be 0, and nothing follows; throughout it is 0 only if `A` is, which nobody means who tries such a solution.
 
 use crate::algebra::{Expr, Formula, Symbol, effort};
-use crate::derivation::{Assumed, Goal};
+use crate::derivation::{Assumed, Goal, Source};
 use crate::kernel::{Claim, Standing, definition};
 use crate::notation::plain_symbol;
 use crate::search::{self, Decision};
-use crate::sorted::{self, Set};
+use crate::sorted::{self, Map, Set};
 
 use super::super::judge::{Found, Judge, condition, sources, step};
-use super::super::{Judged, Outcome};
+use super::super::{Judged, Outcome, Verdict};
 use super::conditions::unbounded;
 
 /// More symbols than this are not held constant.
@@ -237,6 +237,8 @@ impl Judge<'_> {
             false => self.with_others(assumed, premises),
         };
         let near = near.unwrap_or_else(|| assumed.to_vec());
+        // What only says what something else is bounds nothing that the step speaks of.
+        let (own, near) = (&self.binding(goal, assumed), self.binding(goal, &near));
         // What is cited says enough where it is known how that varies.
         let variables = self.variables_left_out(goal, &near);
         let compared = self.compared(goal, &near);
@@ -246,7 +248,7 @@ impl Judge<'_> {
             (!slopes.is_empty()).then_some((all, beside, slopes))
         };
         let how_they_vary = variables.iter().find_map(|variable| {
-            let mut all = [assumed, &near].into_iter();
+            let mut all = [own, &near].into_iter();
             all.find_map(|all| how_it_varies(variable, all))
         });
         let how_they_vary = how_they_vary.or_else(|| {
@@ -276,6 +278,38 @@ impl Judge<'_> {
             plain_symbol(variable)
         );
         self.heed_larger(goal, assumed, larger, reason, found);
+    }
+
+    /// Premises without those that follow from others, and without those that only give by what a step speaks of something that neither it nor
+    /// another premise speaks of, `r = \frac{p}{1 + e \cos\varphi}`: for whatever values of the others they are true.
+    fn binding(&self, goal: &Goal, set: &[Assumed]) -> Vec<Assumed> {
+        let follows = |own: &Assumed| match own.source {
+            Source::Equation(at) => {
+                let mut entries = self.auditor.entries_of(self.at, at);
+                entries.all(|entry| entry.verdict == Verdict::Holds) && at < self.at
+            }
+            _ => false,
+        };
+        let named = goal.formula.names();
+        let mut kept: Vec<Assumed> = Vec::new();
+        for own in set.iter().filter(|own| !follows(own)) {
+            if kept.iter().all(|other| other.formula != own.formula) {
+                kept.push(own.clone());
+            }
+        }
+        loop {
+            let mut uses: Map<Symbol, usize> = Map::new();
+            for symbol in kept.iter().flat_map(|own| own.formula.names()) {
+                *uses.entry(symbol).or_insert(0) += 1;
+            }
+            let is_loose =
+                |symbol: &Symbol| !named.contains(symbol) && uses.get(symbol) == Some(&1);
+            let all = kept.len();
+            kept.retain(|own| !gives_any(&own.formula, is_loose));
+            if kept.len() == all {
+                return kept;
+            }
+        }
     }
 
     /// The variables by which the page differentiates and of which premises speak, but not the step, nor of what changes with them.
@@ -418,4 +452,27 @@ pub(in crate::audit) fn slope(law: &Formula, variable: &Symbol) -> Option<Formul
     let (left, right) = law.as_equation()?;
     let slope = |side: &Expr| side.clone().differentiated_by(variable);
     Some(Formula::equal(slope(left), slope(right)))
+}
+
+/// Whether an equation gives one of some symbols, or how it changes, by others: `E I \frac{d^2 w}{dx^2} = M`.
+fn gives_any(formula: &Formula, is_meant: impl Fn(&Symbol) -> bool) -> bool {
+    fn given(side: &Expr) -> Option<&Symbol> {
+        match side {
+            Expr::Symbol(symbol) => Some(symbol),
+            Expr::Derivative { body, .. } => given(body),
+            Expr::Product(factors) => {
+                let mut slopes = factors
+                    .iter()
+                    .filter(|own| matches!(own, Expr::Derivative { .. }));
+                let slope = slopes.next()?;
+                slopes.next().is_none().then(|| given(slope))?
+            }
+            _ => None,
+        }
+    }
+    let gives = |side: &Expr, other: &Expr| {
+        given(side).is_some_and(|own| is_meant(own) && !other.mentions(own))
+    };
+    let sides = formula.as_equation();
+    sides.is_some_and(|(left, right)| gives(left, right) || gives(right, left))
 }

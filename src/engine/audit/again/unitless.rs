@@ -10,6 +10,7 @@ use crate::notation::{are_of_one_system, has_units, in_si, read_expr};
 use crate::search::{Decision, Effort};
 
 use super::super::judge::{Found, Judge};
+use super::super::numeric::rounded::OTHER_UNITS;
 
 impl Judge<'_> {
     /// Whether a step without units follows from figures whose units are left out.
@@ -49,7 +50,7 @@ impl Judge<'_> {
         }
         let decision = self.decide_from(&as_written, &goal.formula);
         if !matches!(decision, Some(Decision::Refuted(_))) {
-            found.leave_open("it may be meant in the units that stand beside the figures before");
+            found.leave_open(OTHER_UNITS);
         }
     }
 
@@ -90,13 +91,8 @@ impl Judge<'_> {
         let span = self.derivation.local(page, local).span;
         let source = &self.derivation.pages[page].document.source;
         let text = source.get(span.range())?;
-        let number = text.split_once('=')?.1.trim_start();
-        let end = number.find(|c: char| !(c.is_ascii_digit() || c == '.'));
-        let number = number.get(..end.unwrap_or(number.len()))?;
-        let written = read_expr(number, Span::new(0, number.len())).ok()?;
-        // A power of ten may stand beside it.
-        let power = text.contains("10^") || text.contains("\\times") || text.contains("\\cdot");
-        (!power && is_meant(&written)).then(|| Assumed {
+        let written = number_written(text)?;
+        is_meant(&written).then(|| Assumed {
             formula: figure
                 .formula
                 .map_terms(|term| match term == value {
@@ -118,4 +114,14 @@ fn is_same(one: &Expr, other: &Expr) -> bool {
         }
         _ => false,
     }
+}
+
+/// The number that stands after the sign of equality in `h = 0.10`, without a power of ten beside it.
+pub(in crate::audit) fn number_written(text: &str) -> Option<Expr> {
+    let number = text.split_once('=')?.1.trim_start();
+    let end = number.find(|c: char| !(c.is_ascii_digit() || c == '.'));
+    let number = number.get(..end.unwrap_or(number.len()))?;
+    let power = text.contains("10^") || text.contains("\\times") || text.contains("\\cdot");
+    let read = || read_expr(number, Span::new(0, number.len())).ok();
+    (!power).then(read)?
 }

@@ -217,6 +217,7 @@ impl Judge<'_> {
             self.heed_approximations(goal, all, found);
             self.heed_other_readings(goal, all, found);
         }
+        self.heed_analogues(found);
     }
 
     /// Whether what was refuted from what is cited follows all the same: what is tried, one after another, the likeliest first. Where a

@@ -2,13 +2,17 @@
 
 use std::cell::LazyCell;
 
-use crate::algebra::{Expr, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Beyond, Goal, Source};
 use crate::kernel::Standing;
 use crate::notation::{has_decimals, is_figures};
+use crate::sorted::Set;
 
 use super::super::{Judged, Outcome, Verdict};
 use super::{Found, Judge, sources};
+
+/// So many equations of sections that are over are looked at for what rests on what is left.
+const MOST_OVER: usize = 256;
 
 impl Judge<'_> {
     /// Whether something speaks of a partial derivative of which it is not clear what it holds fixed, or how it moves: that
@@ -34,14 +38,18 @@ impl Judge<'_> {
         all.any(|formula| formula.terms().into_iter().any(|term| term.any(&is_one)))
     }
 
-    /// What two of the premises of a proof that nobody cites give differently, and one of them in a section that is over: the moment `M` of
-    /// one load and of another.
-    pub(super) fn joins_two_sections(&self, judged: &Judged, premises: &[usize]) -> Option<Expr> {
+    /// What two of the premises of a proof that nobody cites give differently, and one of them in a section that is over, the moment `M` of
+    /// one load and of another: that, and what equations of that section say it.
+    pub(super) fn joins_two_sections(
+        &self,
+        judged: &Judged,
+        premises: &[usize],
+    ) -> Option<(Expr, Set<usize>)> {
         let derivation = self.derivation;
         let own = derivation.section_start(self.at);
         let given = judged.assumed.iter().filter_map(|own| match own.source {
             // What is derived of the one is so of the other.
-            Source::Equation(at) if !premises.contains(&at) && self.is_taken(at) => {
+            Source::Equation(at) if !self.is_derived(at) => {
                 let (of, value) = own.formula.as_equation()?;
                 let is_name = matches!(of, Expr::Symbol(_) | Expr::Limit { .. } | Expr::Apply(..));
                 is_name.then_some((at, of, value))
@@ -49,22 +57,51 @@ impl Judge<'_> {
             _ => None,
         });
         let given: Vec<(usize, &Expr, &Expr)> = given.collect();
-        let is_other = |(at, of, value): &(usize, &Expr, &Expr)| {
+        let is_other = |(at, of, value): &&(usize, &Expr, &Expr)| {
             let mut others = given.iter();
             *at < own
+                && !premises.contains(at)
                 && others
                     .any(|(other, also, another)| *other >= own && also == of && another != value)
         };
-        given
-            .iter()
-            .find(|own| is_other(own))
-            .map(|own| own.1.clone())
+        let over: Vec<&(usize, &Expr, &Expr)> = given.iter().filter(is_other).collect();
+        let first = over.first()?.1.clone();
+        Some((first, over.iter().map(|own| own.0).collect()))
     }
 
-    /// Whether nothing of an equation before was to be shown.
-    fn is_taken(&self, at: usize) -> bool {
+    /// Whether an equation before follows from others.
+    fn is_derived(&self, at: usize) -> bool {
         let mut entries = self.auditor.entries_of(self.at, at);
-        entries.all(|entry| entry.verdict == Verdict::Given)
+        entries.any(|entry| entry.verdict == Verdict::Holds)
+    }
+
+    /// The goal judged without what a section says that is over, and what was derived from that there.
+    pub(super) fn without_what_is_over(
+        &self,
+        goal: &Goal,
+        steps: &[(usize, Formula)],
+        premises: &[usize],
+        over: Set<usize>,
+    ) -> Found {
+        let own = self.derivation.section_start(self.at);
+        // What was left before is left still, so that there is an end to it.
+        let mut over: Set<usize> = over.into_iter().chain(self.over.clone()).collect();
+        let first = over.first().copied().unwrap_or(own);
+        for at in first.max(own.saturating_sub(MOST_OVER))..own {
+            let mut entries = self.auditor.entries_of(self.at, at);
+            if entries.any(|entry| entry.premises.iter().any(|premise| over.contains(premise))) {
+                over.insert(at);
+            }
+        }
+        let mut usable = self.usable.clone();
+        let is_over =
+            |own: &Assumed| matches!(own.source, Source::Equation(at) if over.contains(&at));
+        usable.assumed.retain(|own| !is_over(own));
+        let without = Judge {
+            over,
+            ..Judge::new(self.auditor, self.at, &usable)
+        };
+        without.goal(goal, steps, premises)
     }
 
     /// What is constant by one of the premises of a proof and changes by another.

@@ -9,21 +9,27 @@ use std::cell::OnceCell;
 use num_traits::{Signed, Zero};
 
 use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
-use crate::derivation::{Assumed, Goal, Page, Printed, Source, values_at};
+use crate::derivation::{Assumed, Goal, Page, Printed, Source, goals, values_at};
 use crate::kernel::{Refuted, Standing};
-use crate::notation::{Precision, Rounding, decimal_places, has_decimals, has_units, is_figures};
+use crate::notation::{
+    Precision, Rounding, Statement, decimal_places, has_decimals, has_units, is_figures,
+};
 
 use crate::search;
 
+use super::super::again::unitless::number_written;
 use super::super::entry::leave_open;
 use super::super::judge::{self, Judge};
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
-use super::{Link, Numeric, Taken, Weighed, complex, reckoned};
+use super::{Link, Numeric, Taken, Weighed, coefficient, complex, reckoned};
 
 /// Why a step that ends in a rounded number is neither.
 pub(super) const ROUNDED: &str = "it is rounded";
 /// Why nothing is said of a number that differs from another one that is told of the same.
 const SAID_AGAIN: &str = "another number is told of it before, and it may be told of another case";
+/// Why nothing is said of what numbers with and without units speak against.
+pub(in crate::audit) const OTHER_UNITS: &str =
+    "it may be meant in the units that stand beside the figures before";
 
 impl Auditor<'_> {
     /// Goals that end in rounded numbers, from the figures as they are printed; if these say otherwise, from all that may have been
@@ -82,12 +88,20 @@ impl Auditor<'_> {
         };
         // What is worked out of numbers alone, and rounded on the way.
         let source = &page.document.source;
-        let (mut agreed, mut left) = (Vec::new(), Vec::new());
+        let (mut agreed, mut wrong, mut left) = (Vec::new(), Vec::new(), Vec::new());
         for goal in open.map(as_meant).map(near_summands) {
-            match reckoned::agreed_loosely(&goal, source) {
-                Some(link) => agreed.push(link),
-                None => left.push(goal),
+            if let Some(link) = reckoned::agreed_loosely(&goal, source) {
+                agreed.push(link);
+                continue;
             }
+            match coefficient::weighed(&goal, source, &usable.assumed) {
+                Some(link) if link.outcome == Weighed::Supported => agreed.push(link),
+                Some(link) if link.outcome == Weighed::Contradicted => wrong.push(link),
+                _ => left.push(goal),
+            }
+        }
+        if !wrong.is_empty() {
+            return self.heed_coefficients(judge, wrong, entry);
         }
         let open = left;
         if open.is_empty() && !agreed.is_empty() {
@@ -172,6 +186,9 @@ impl Auditor<'_> {
                     .retain(|note| !matches!(note, Note::UnstatedCondition(_)));
             }
             (Weighed::Contradicted, Verdict::Undecided) => {
+                if self.mixes_units(at, &numeric, printed()) {
+                    return leave_open(entry, OTHER_UNITS);
+                }
                 entry.notes.push(Note::NumericNotSupported);
             }
             (Weighed::Contradicted, _) => {
@@ -191,6 +208,31 @@ impl Auditor<'_> {
             entry.notes.push(Note::RestsOnUnproved(open));
         }
         entry.numeric = Some(numeric.into());
+    }
+
+    /// Tells of a decimal that is not what both sides differ by. What is refuted is so without it.
+    fn heed_coefficients(&self, judge: &Judge, wrong: Vec<Link>, entry: &mut Entry) {
+        let is_name = |formula: &Formula| {
+            matches!(
+                formula,
+                Formula::Relation {
+                    left: Expr::Symbol(_),
+                    ..
+                }
+            )
+        };
+        let is_link = |own: &Link| !is_name(&own.goal.formula);
+        let is_plain = wrong.iter().all(is_link) || !judge.cites_loosely();
+        if entry.verdict == Verdict::Undecided && is_plain {
+            entry.notes.push(Note::NumericNotSupported);
+            let page = &self.derivation.pages[self.derivation.equations[judge.at].page];
+            let nearest = |link: &Link| coefficient::nearest(link, &page.document.source);
+            let nearest = wrong.first().and_then(nearest);
+            entry.numeric = Some(Box::new(Numeric {
+                nearest,
+                ..Numeric::of_links(wrong)
+            }));
+        }
     }
 
     /// Weighs what ends in numbers beside what is left open. Of what figures speak against that is told where they support it with one small
@@ -257,6 +299,30 @@ impl Auditor<'_> {
         })
     }
 
+    /// Whether some of the numbers in the text that are put in stand without a unit, and others beside words that are turned into units of the SI:
+    /// "$r = 0.90$, $h = 0.10$ per year".
+    fn mixes_units(&self, at: usize, numeric: &Numeric, printed: &[Printed]) -> bool {
+        let page = &self.derivation.pages[self.derivation.equations[at].page];
+        let source = &page.document.source;
+        let (mut bare, mut converted) = (false, false);
+        for own in printed.iter().filter(|own| own.equation.is_none()) {
+            let Some((of, value)) = own.goal.formula.said_of() else {
+                continue;
+            };
+            let text = source.get(own.span.range()).unwrap_or_default();
+            if let (Expr::Number(value), Some(Expr::Number(written))) =
+                (value, number_written(text))
+                && numeric.data.contains_key(of)
+            {
+                match *value == written {
+                    true => bare = true,
+                    false => converted = true,
+                }
+            }
+        }
+        bare && converted
+    }
+
     /// Leaves open what fails only for rounded numbers that may be so, as far as what it was judged from tells: somebody measured them.
     ///
     /// A whole number, `400\,\Omega`, must be possible as far as anything before tells.
@@ -300,7 +366,19 @@ impl Auditor<'_> {
                     _ => false,
                 })
         };
-        let may_be = |own: &Judged| says_how_great(&own.goal) || is_evaluated(own);
+        // `u = 0.125\,\mathrm{m/s}, \quad \mathrm{Re} = 250`, where nobody has told what that is made of.
+        let statements = self.derivation.equations[at].statements();
+        let lists_numbers = || {
+            let ends = |own: &Statement| goals(own).last().is_some_and(ends_in_figures);
+            statements.len() > 1 && statements.iter().all(ends)
+        };
+        let is_number = |own: &Judged| {
+            let sides = own.goal.formula.as_equation();
+            let is_one = matches!(sides, Some((Expr::Symbol(_), Expr::Number(_))));
+            is_one && entry.mended.is_none() && lists_numbers()
+        };
+        let may_be =
+            |own: &Judged| says_how_great(&own.goal) || is_evaluated(own) || is_number(own);
         let mut refuted = entry.judged.iter().filter(|own| own.outcome.is_refuted());
         if entry.verdict == Verdict::Fails && refuted.all(|own| may_be(own) && is_possible(own)) {
             leave_open(
@@ -372,6 +450,11 @@ impl Auditor<'_> {
 /// Whether a goal that is not proved is weighed: it ends in a rounded number, and is asserted as it stands.
 pub(super) fn is_weighed(goal: &Goal) -> bool {
     goal.rounding.is_some() && goal.is_said_outright()
+}
+
+fn ends_in_figures(goal: &Goal) -> bool {
+    let sides = goal.formula.as_equation();
+    sides.is_some_and(|(_, right)| is_figures(right))
 }
 
 /// Whether a goal says how great something is: it ends in a rounded number, or in figures from which that is worked out.

@@ -1,7 +1,7 @@
 //! What is said between one display and the next.
 
 use crate::algebra::BigRational;
-use crate::document::{Citation, Extent, Premise, Prose, Slope, Span};
+use crate::document::{Citation, Extent, Premise, Prose, Slope, Span, Subject};
 use crate::notation::Spanned;
 
 use super::super::rows::Part;
@@ -43,6 +43,8 @@ pub(super) struct Between {
     pub(super) laws_named: Vec<Span>,
     /// The last sentence of them.
     pub(super) said_last: Option<Span>,
+    /// The quantity that they name as what the display says.
+    pub(super) subject: Option<Subject>,
     /// Whether they go on with what was said before the display before.
     pub(super) goes_on: bool,
     /// Whether they say that all factors change.
@@ -82,6 +84,7 @@ impl Between {
         self.reasons |= prose.reasons;
         self.laws_named.extend_from_slice(&prose.laws_named);
         self.said_last = prose.said_last.or(self.said_last);
+        self.subject = prose.subject;
         self.goes_on |= prose.goes_on;
         self.all_vary |= prose.all_vary;
         self.divides |= prose.divides;

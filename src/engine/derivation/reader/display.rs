@@ -55,6 +55,9 @@ impl Reader<'_> {
             self.active.push(slope);
         }
         self.take_slope(&said, &read);
+        if let (Some(subject), Some(first)) = (said.subject, read.first()) {
+            self.page.name_subject(subject, first);
+        }
         let of_display = read.len();
         // "Newton's second law along the incline gives … and perpendicular to it …"
         said.reasons |=
@@ -266,6 +269,7 @@ impl Reader<'_> {
             kind,
             introduces: Set::new(),
             explains: false,
+            explained: Set::new(),
             opens: is_derived && !stated,
             relative: said.relative,
             bare: self.bare && is_derived && part.continues == 0,

@@ -125,9 +125,11 @@ pub(super) fn is_at_a_value(source: &str, index: usize, tokens: &[Placed<'_>]) -
             if source.get(body.range()).is_some_and(|text| is_value(text) && is_number(text)))
 }
 
-/// Whether what comes after the mathematics at `index` says at which place it is so: "Setting $F = m g$ at $v = u$".
+/// Whether what comes after the mathematics at `index` says at which place it is so: "Setting $F = m g$ at $v = u$", "$R = 2 b$, at $z = b$".
 pub(super) fn is_at_a_place(source: &str, index: usize, tokens: &[Placed<'_>]) -> bool {
-    let rest = tokens.get(index + 1..).unwrap_or_default();
+    let rest = match tokens.get(index + 1..).unwrap_or_default() {
+        [(Token::Mark(','), _), rest @ ..] | rest => rest,
+    };
     matches!(rest, [(Token::Word("at"), _), (Token::Math(body), _), ..]
         if source.get(body.range()).is_some_and(is_value))
 }

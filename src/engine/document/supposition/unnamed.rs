@@ -10,6 +10,8 @@ use super::mathematics::{is_number, relates};
 const BEFORE: &[&str] = &["of", "at", "for", "by"];
 /// A number in words is an angle with one of these after it.
 const DEGREES: &[&str] = &["degree", "degrees"];
+/// This writes an angle with its unit, `on a slope of \ang{20}`.
+const ANGLE: &str = "\\ang{";
 /// How far before it the phrase begins in which a value stands.
 const MOST_NAMING: usize = 2;
 
@@ -27,7 +29,9 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Option<Supposition> {
         }),
         Token::Number(number) => {
             let next = sentence.get(at + 1).map(|(token, _)| *token);
-            number.contains('°') || next.is_some_and(|next| next.is_among(DEGREES))
+            let before = source.get(..sentence[at].1.start).unwrap_or_default();
+            let is_angle = number.contains('°') || before.ends_with(ANGLE);
+            is_angle || next.is_some_and(|next| next.is_among(DEGREES))
         }
         _ => false,
     };

@@ -9,7 +9,7 @@ use crate::algebra::{BigRational, Expr, Function, Symbol};
 use crate::notation::figures;
 use crate::notation::is_composed_place;
 use crate::notation::{commands, latex};
-use num_traits::One;
+use num_traits::{One, Signed};
 
 impl Parser<'_> {
     /// `P(t)` or `v_0(1 - \mu)`: a function if the parentheses hold nothing but bare symbols.
@@ -53,7 +53,7 @@ impl Parser<'_> {
             return self.applied_to(start, name, arguments, BeforeKind::Function);
         }
         if let (Expr::Symbol(name), [place]) = (&function.expr, arguments.as_slice())
-            && self.valued.is_some_and(|valued| valued.contains(name))
+            && self.has_values(name)
             && delimiter.close == ")"
             && is_composed_place(place)
         {
@@ -87,6 +87,20 @@ impl Parser<'_> {
             return self.unclear(start, &function.expr);
         }
         if let Some((name, exponent)) = name_raised(&function.expr) {
+            if let Expr::Symbol(own) = name
+                && bare
+                && arguments.len() == 1
+                && matches!(exponent, Expr::Number(own) if own.is_positive())
+                && (self.is_applied(name) || self.has_values(own))
+            {
+                let exponent = exponent.clone();
+                let value =
+                    self.applied_to(start, &own.clone(), arguments, BeforeKind::Function)?;
+                return Ok(Factor {
+                    expr: Expr::Power(value.expr.into(), exponent.into()),
+                    ..value
+                });
+            }
             self.refuse_raised(start, name, exponent, (bare, &arguments))?;
             self.before
                 .extend(self.factor_before(start, name, &arguments));
@@ -150,6 +164,11 @@ impl Parser<'_> {
         };
         let without_primes = || Symbol::new(name.name().replace('\'', ""));
         applied.contains(name) || name.name().contains('\'') && applied.contains(&without_primes())
+    }
+
+    /// Whether the page gives a function of that name, of which values stand elsewhere.
+    fn has_values(&self, name: &Symbol) -> bool {
+        self.valued.is_some_and(|valued| valued.contains(name))
     }
 
     /// Whether the number in the parentheses that opened at `open` is one that is measured: π is multiplied by it, `\pi (0.20)^2`, and profits,
