@@ -95,6 +95,7 @@ impl Auditor<'_> {
         if !says_so {
             self.leave_moments(at, &mut premises);
         }
+        premises.retain(|&premise| !self.is_explained_by(premise, at));
         let offer = |premise| self.offer(at, premise);
         let mut usable = usable(self.derivation, offer, at, &premises);
         usable.assumed.extend(self.explained_after(at));
@@ -184,6 +185,11 @@ impl Auditor<'_> {
             }
         }
         entries
+    }
+
+    /// Whether an equation says what a symbol of the one before it means: it follows from nothing that was drawn from it.
+    pub(super) fn is_explained_by(&self, own: usize, next: usize) -> bool {
+        own + 1 == next && !self.derivation.equations[own].explained.is_empty()
     }
 
     /// What the display after an equation says that some of its symbols mean: "where the wavelength is".

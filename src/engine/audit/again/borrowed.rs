@@ -159,7 +159,11 @@ impl Judge<'_> {
         // Of a wrong citation, or one of what is not there, is told whatever is found.
         let (_, _, unknown) = self.derivation.premises(self.at);
         let cites = !premises.is_empty() || !unknown.is_empty();
-        let is_other = |own: &usize| !premises.contains(own) && !self.over.contains(own);
+        let is_other = |own: &usize| {
+            !premises.contains(own)
+                && !self.over.contains(own)
+                && !self.auditor.is_explained_by(*own, self.at)
+        };
         for other in relatives.into_iter().filter(is_other) {
             let entries: Vec<&Entry> = self.auditor.entries_of(self.at, other).collect();
             let is_wrong = entries.iter().any(|e| e.is_wrong());
