@@ -662,6 +662,9 @@ fn what_words_draw_is_no_definition() {
     let segment = "The area is\n\n$$ A = \\frac{r^2}{2} (\\varphi - \\sin\\varphi) \\tag{1} $$\n\nFor a half circle, $\\varphi = \\pi$, we recover";
     let (right, wrong) = (r"A = \frac{\pi r^2}{2}", r"A = \frac{\pi r^2}{4}");
     assert_eq!(end(segment, right, wrong), ("holds", "fails"));
+    // That it is an area is said of it.
+    let unlike = end(segment, right, r"A = \frac{\pi r}{2}");
+    assert_eq!(unlike, ("holds", "ill-dimensioned"));
 
     let lost = "The momentum balance reads\n\n$$ m v = (m + M) V \\tag{1} $$\n\nThe energy that is lost is\n\n\
                 $$ Q = \\frac12 m v^2 - \\frac12 (m+M) V^2 \\tag{2} $$\n\nAs a fraction of the initial energy this is";

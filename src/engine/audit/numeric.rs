@@ -7,7 +7,7 @@ mod decimals;
 mod figures;
 mod put_in;
 mod reckoned;
-pub(super) mod rounded;
+mod rounded;
 mod solved;
 
 use num_traits::{One, Zero};
@@ -545,6 +545,18 @@ impl Known<'_> {
             }
             Source::Step | Source::Taken | Source::Propagation => None,
         }
+    }
+}
+
+/// The sides of what is said to be equal, or nearly.
+fn likened(formula: &Formula) -> Option<(&Expr, Relation, &Expr)> {
+    match formula {
+        Formula::Relation {
+            left,
+            relation: relation @ (Relation::Equal | Relation::Approximately),
+            right,
+        } => Some((left, *relation, right)),
+        _ => None,
     }
 }
 

@@ -131,7 +131,8 @@ impl Auditor<'_> {
         let shown = effort::altogether(MOST_WORK, shown);
         // What a new name means may be guessed wrong.
         let is_guessed = |own: &Shown| {
-            let is_guess = |own: &Assumed| own.source == Source::Taken && names_two(&own.formula);
+            let is_guess =
+                |own: &Assumed| own.source == Source::Taken && own.formula.equates_names();
             is_stated && own.from.iter().any(is_guess)
         };
         let Some(shown) = shown.filter(|own| !is_guessed(own)) else {
@@ -373,14 +374,6 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
         Verdict::Undecided | Verdict::Given => is_weighed() && edited.judged.iter().all(fits),
         _ => false,
     }
-}
-
-/// Whether a formula says that two names mean the same.
-fn names_two(formula: &Formula) -> bool {
-    matches!(
-        formula.as_equation(),
-        Some((Expr::Symbol(_), Expr::Symbol(_)))
-    )
 }
 
 /// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.

@@ -48,7 +48,7 @@ fn settle_page(
     let meant: Vec<Set<Symbol>> = (0..equations.len())
         .map(|at| meant_after(at, equations, page))
         .collect();
-    for (at, equation) in equations.iter_mut().enumerate() {
+    for (equation, mut explained) in equations.iter_mut().zip(meant) {
         // A condition speaks of what it names, be the display of that place or not: "With $w = w_0$ at $x = 0$ the solution is".
         while let Some(own) = of_display.next_if(|own| own.span.end <= equation.span.start) {
             seen.extend(own.names());
@@ -63,7 +63,6 @@ fn settle_page(
         if equation.row == 0 {
             case = None;
         }
-        let mut explained = meant[at].clone();
         explained.retain(|own| !seen.contains(own) && !sequences.have(own));
         let mut explains = false;
         for (part, statement) in equation.statements().iter().enumerate() {

@@ -1,6 +1,6 @@
 //! The quantities that a text names symbols as: "a rod of length $L$", "where $T(x)$ is the temperature".
 
-use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::algebra::{Expr, Symbol};
 use crate::dimension;
 use crate::document::{Quantity, Subject};
 use crate::notation::read_symbol;
@@ -9,11 +9,17 @@ use super::equation::first_goal;
 use super::page::Page;
 use super::qualities::named;
 use super::rows::Part;
+use super::supposed::is_number;
 
 /// What may stand after the symbol that a text gives a name to.
 const RELATIONS: [&str; 7] = ["\\ll", "\\gg", "\\approx", "\\le", "\\ge", "\\in", "\\neq"];
 
 impl Page {
+    /// Whether a symbol stands for a number, or for so much of a unit, and is declared to be nothing else.
+    pub fn is_number(&self, symbol: &Symbol) -> bool {
+        is_number(symbol) && !self.domains.contains_key(symbol)
+    }
+
     /// Takes up what prose says that symbols are. Of what it says to be quantities of two kinds neither is kept.
     pub(super) fn name_quantities(&mut self, quantities: &[Quantity]) {
         for quantity in quantities {
@@ -33,17 +39,15 @@ impl Page {
     /// Takes up what the words before a display call the symbol that it gives: "The kinetic energy is $$K = \\frac12 m v^2$$". What they said of it
     /// before counts.
     pub(super) fn name_subject(&mut self, subject: Subject, display: &Part) {
-        let goal = display.statements.iter().flatten().find_map(first_goal);
-        let Some(Formula::Relation {
-            left: Expr::Symbol(symbol) | Expr::Apply(symbol, _),
-            relation: Relation::Equal,
-            ..
-        }) = goal.as_ref().map(|goal| &goal.formula)
+        let Some(goal) = display.statements.iter().flatten().find_map(first_goal) else {
+            return;
+        };
+        let Some((Expr::Symbol(symbol) | Expr::Apply(symbol, _), _)) = goal.formula.as_equation()
         else {
             return;
         };
-        let side = goal.as_ref().map_or(display.body, |goal| goal.sides.0);
         if subject.may_be(symbol.name()) && !self.quantities.contains_key(symbol) {
+            let side = goal.sides.0;
             let quantity = Quantity {
                 name: subject.name,
                 body: side,

@@ -201,9 +201,7 @@ impl Subject {
 
 /// The subject of the sentence that leads on to a display: "The kinetic energy of the disc is".
 pub(super) fn subject(tokens: &[Placed<'_>]) -> Option<Subject> {
-    let near = &tokens[tokens.len().saturating_sub(LONGEST_SENTENCE)..];
-    let start = near.iter().rposition(|(token, _)| token.is_stop());
-    let sentence = &near[start.map_or(0, |stop| stop + 1)..];
+    let sentence = sentence_before(tokens, LONGEST_SENTENCE);
     // "is then given by"
     let trailing = |(token, _): &Placed<'_>| token.is_among(&TRAILING) || token.is_mark(',');
     let end = sentence.len()
@@ -270,6 +268,13 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Quantity> {
         }));
     }
     found
+}
+
+/// The sentence that some tokens end in, as far as it is so near.
+fn sentence_before<'t, 'a>(tokens: &'t [Placed<'a>], most: usize) -> &'t [Placed<'a>] {
+    let near = &tokens[tokens.len().saturating_sub(most)..];
+    let start = near.iter().rposition(|(token, _)| token.is_stop());
+    &near[start.map_or(0, |stop| stop + 1)..]
 }
 
 /// "the mass $\\mu$ per unit length"
@@ -352,9 +357,7 @@ fn name_after(tokens: &[Placed<'_>], at: usize) -> Option<&'static Name> {
     if !among(tokens, at + 1, &LINKING) || !among(tokens, at + 2, &["the", "its", "a", "an"]) {
         return None;
     }
-    let near = &tokens[at.saturating_sub(MOST_BEFORE)..at];
-    let start = near.iter().rposition(|(token, _)| token.is_stop());
-    let sentence = &near[start.map_or(0, |stop| stop + 1)..];
+    let sentence = sentence_before(&tokens[..at], MOST_BEFORE);
     let speaks = match sentence.last() {
         None => true,
         Some((token, _)) if token.is_among(&SPEAKING) => true,

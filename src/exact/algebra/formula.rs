@@ -130,6 +130,12 @@ impl Formula {
         matches!(self, Formula::Relation { relation: Relation::NotEqual, right, .. } if *right == Expr::integer(0))
     }
 
+    /// Whether it says that two names mean the same: `a = b`.
+    pub fn equates_names(&self) -> bool {
+        let sides = self.as_equation();
+        matches!(sides, Some((Expr::Symbol(_), Expr::Symbol(_))))
+    }
+
     /// `symbol = number`.
     pub fn number(symbol: Symbol, number: BigRational) -> Formula {
         Formula::equal(Expr::Symbol(symbol), Expr::Number(number))

@@ -13,7 +13,7 @@ use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
 
 /// After one of these a step integrates what stands before.
-const INTEGRATING: [&str; 6] = [
+pub(super) const INTEGRATING: [&str; 6] = [
     "integrate",
     "integrated",
     "integrates",
@@ -80,7 +80,8 @@ impl Judge<'_> {
         let moves = |own: &Symbol| self.auditor.changes(self.at, own, variable);
         let mut constants = value.free_symbols();
         constants.extend(rate.free_symbols());
-        constants.retain(|own| own != variable && !own.is_unit() && own.name() != "\\pi");
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        constants.retain(|own| own != variable && !page.is_number(own));
         if constants.iter().any(moves) {
             return None;
         }

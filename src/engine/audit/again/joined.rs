@@ -79,7 +79,7 @@ impl Judge<'_> {
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let is_known = |symbol: &Symbol| match page.domains.get(symbol) {
             Some(own) => own.integer,
-            None => symbol.is_unit() || symbol.name() == "\\pi",
+            None => page.is_number(symbol),
         };
         // What a function is has a value for every argument.
         let is_function = |own: &Assumed| {

@@ -16,6 +16,7 @@ mod approximated;
 pub(super) mod borrowed;
 mod compared;
 pub(super) mod conditions;
+mod driven;
 pub(super) mod expanded;
 mod going_on;
 mod in_words;

@@ -12,24 +12,20 @@ use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
+use super::antiderivative::INTEGRATING;
 use super::borrowed::chain_of;
 use super::conditions::collect_waves;
+use super::driven::{driven_by, with_drivers_put_in};
 use super::solution::{for_the_quantity, value_of_its_own, with_own_value_named, without_factors};
 
 /// What a solution comes after, where nothing else says that it is one.
-const SOLVING: [&str; 18] = [
+const SOLVING: [&str; 12] = [
     "solve",
     "solved",
     "solves",
     "solving",
     "solution",
     "solutions",
-    "integrate",
-    "integrated",
-    "integrates",
-    "integrating",
-    "integration",
-    "integrations",
     "integral",
     "separate",
     "separating",
@@ -164,7 +160,7 @@ impl Judge<'_> {
         // A point of a law refutes nothing that is said to come of an integration.
         let at_a_point = |own: &&Judged| own.outcome.is_refuted() && !draws_on_values(own);
         let refuted_at_a_point = judged.filter(at_a_point);
-        if refuted_at_a_point.is_some() && !self.says(&SOLVING) {
+        if refuted_at_a_point.is_some() && !self.is_led_to_as_solution() {
             return None;
         }
         let own = self.said_to_solve(goal, premises, None);
@@ -216,6 +212,11 @@ impl Judge<'_> {
         })
     }
 
+    /// Whether words lead on to a step as to what solves something.
+    fn is_led_to_as_solution(&self) -> bool {
+        self.says(&SOLVING) || self.says(&INTEGRATING)
+    }
+
     /// The law that a goal is said to solve; nothing where words say that it is none of that law, or something else moves.
     fn said_to_solve(
         &self,
@@ -238,7 +239,11 @@ impl Judge<'_> {
             })
         };
         let own = &self.derivation.equations[self.at];
-        if !own.drawn && !self.says(&SOLVING) && !says_where() && !self.is_wave(&left, &right) {
+        if !own.drawn
+            && !self.is_led_to_as_solution()
+            && !says_where()
+            && !self.is_wave(&left, &right)
+        {
             return None;
         }
         // "Without friction the solution is" is of another law.
@@ -288,9 +293,7 @@ impl Judge<'_> {
         let meant = meant(laws(), &mut constants, (&of, &variable));
         let fixed = fixed_by(&law.formula, &meant);
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
-        let is_number =
-            |own: &Symbol| own.is_unit() || own.name() == "\\pi" && !page.domains.contains_key(own);
-        constants.retain(|own| *own != of && *own != variable && !is_number(own));
+        constants.retain(|own| *own != of && *own != variable && !page.is_number(own));
         // What is said to vary further on does so from one case to another.
         let moves = |own: &Symbol| {
             self.auditor.changes(self.at, own, &variable)
@@ -581,42 +584,6 @@ fn meant<'a>(
     chain_of(&mut said.cloned().collect(), symbols, means)
 }
 
-/// What a law is driven by, of which it is said before how it goes with the variable: `M = \frac{w}{2} (L - x)^2` of `E I y'' = M`. What is
-/// said last counts.
-fn driven_by<'a>(
-    said: impl Iterator<Item = &'a Assumed>,
-    law: &Formula,
-    (of, variable): (&Symbol, &Symbol),
-) -> Vec<Assumed> {
-    let terms = law.terms();
-    let drives = |own: &&Assumed| {
-        let Some((driver, value)) = own.formula.as_equation() else {
-            return false;
-        };
-        let is_part = |name: &Symbol| {
-            let mut terms = terms.iter();
-            ![of, variable].contains(&name)
-                && !value.mentions(of)
-                && !value.mentions(name)
-                && terms.any(|term| term.any(&|part| part == driver))
-        };
-        own.standing == Standing::Identity
-            && value.mentions(variable)
-            && driving(driver, variable).is_some_and(is_part)
-    };
-    let mut found: Vec<Assumed> = Vec::new();
-    for own in said.filter(drives) {
-        let of = own.formula.as_equation().map(|own| own.0);
-        let is_same = |other: &&mut Assumed| other.formula.as_equation().map(|own| own.0) == of;
-        match found.iter_mut().find(is_same) {
-            Some(other) if other.source < own.source => *other = own.clone(),
-            Some(_) => {}
-            None => found.push(own.clone()),
-        }
-    }
-    found
-}
-
 /// Whether an equation says how a slope goes with what varies, `\frac{du}{dr} = -\frac{r g}{2 \mu}`: that is of more than one place, also where it
 /// was drawn from what words say.
 fn speaks_of_course(law: &Formula, of: &Symbol, variable: &Symbol) -> bool {
@@ -629,25 +596,6 @@ fn speaks_of_course(law: &Formula, of: &Symbol, variable: &Symbol) -> bool {
     }
     let mut terms = law.terms().into_iter();
     terms.any(|term| moves(term, of, variable))
-}
-
-/// What is meant by `M` and by `M(x)`.
-fn driving<'e>(term: &'e Expr, variable: &Symbol) -> Option<&'e Symbol> {
-    match term {
-        Expr::Symbol(name) => Some(name),
-        Expr::Apply(name, arguments) if **arguments == [Expr::Symbol(variable.clone())] => {
-            Some(name)
-        }
-        _ => None,
-    }
-}
-
-/// A law with what it is driven by put in.
-fn with_drivers_put_in(law: &Formula, drivers: &[Assumed]) -> Formula {
-    let given = drivers.iter().filter_map(|own| own.formula.as_equation());
-    given.fold(law.clone(), |law, (name, value)| {
-        law.map_terms(|term| term.replace(name, value))
-    })
 }
 
 /// The symbol that something is given of, by itself or as a power: `\omega_0^2 = k/m`.

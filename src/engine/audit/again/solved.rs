@@ -315,10 +315,7 @@ impl Judge<'_> {
             .flat_map(|&own| self.auditor.entries_of(self.at, own));
         let judged = entries.flat_map(|entry| &entry.judged);
         let assumed = judged.flat_map(|own| &own.assumed);
-        let names = |own: &&Assumed| {
-            let sides = own.formula.as_equation();
-            own.source == Source::Taken && matches!(sides, Some((Expr::Symbol(_), Expr::Symbol(_))))
-        };
+        let names = |own: &&Assumed| own.source == Source::Taken && own.formula.equates_names();
         assumed.filter(names).cloned().collect()
     }
 

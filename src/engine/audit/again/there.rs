@@ -64,11 +64,8 @@ impl Judge<'_> {
             }
         }
         // What may be put for what there is not clear where it is a square that is said: "For circles $a = r$, so … Putting this in (1)".
-        let is_named_only = |own: &Assumed| {
-            let sides = own.formula.as_equation();
-            let names = matches!(sides, Some((Expr::Symbol(_), Expr::Symbol(_))));
-            names && matches!(own.source, Source::Local(..))
-        };
+        let is_named_only =
+            |own: &Assumed| own.formula.equates_names() && matches!(own.source, Source::Local(..));
         if !goal.is_of(new) && assumed.iter().any(is_named_only) {
             may_fail = MayFail::Never;
         }
@@ -144,15 +141,13 @@ impl Judge<'_> {
         let Source::Local(page, local) = own.source else {
             return false;
         };
-        let told = self.derivation.local(page, local);
-        let sets = own.formula.as_equation();
-        sets.is_some_and(|(left, right)| {
-            matches!(
-                (left, right),
-                (Expr::Symbol(_), Expr::Symbol(_) | Expr::Number(_))
-            )
-        }) && own.standing == Standing::AtPoint
-            && !self.derivation.is_said_since(self.at, told.span)
+        let is_value = matches!(
+            own.formula.as_equation(),
+            Some((Expr::Symbol(_), Expr::Symbol(_) | Expr::Number(_)))
+        );
+        is_value
+            && own.standing == Standing::AtPoint
+            && !(self.derivation).is_said_since(self.at, self.derivation.local(page, local).span)
     }
 
     /// The same from just these premises.

@@ -10,7 +10,10 @@ use crate::notation::{are_of_one_system, has_units, in_si, read_expr};
 use crate::search::{Decision, Effort};
 
 use super::super::judge::{Found, Judge};
-use super::super::numeric::rounded::OTHER_UNITS;
+
+/// Why nothing is said of what numbers with and without units speak against.
+pub(in crate::audit) const OTHER_UNITS: &str =
+    "it may be meant in the units that stand beside the figures before";
 
 impl Judge<'_> {
     /// Whether a step without units follows from figures whose units are left out.

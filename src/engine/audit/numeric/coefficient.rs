@@ -8,27 +8,19 @@ use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation};
 use crate::derivation::{Assumed, Goal};
 use crate::interval::Figures;
 use crate::notation::{Precision, Rounding, is_figures};
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
+use super::super::judge::Judge;
+use super::super::{Auditor, Entry, Note, Verdict};
 use super::decimals::{FEWEST_DIGITS, decimals};
-use super::{Link, Weighed, is_evaluable};
+use super::{Link, Numeric, Weighed, is_evaluable, likened};
 
 /// Digits of what is rounded from no rational number.
 const FEWEST_OF_IRRATIONAL: usize = 2;
 
 /// What a link comes to whose right side is a decimal times what has symbols in it; nothing of others, or where the symbols do not cancel.
 pub(super) fn weighed(goal: &Goal, source: &str, assumed: &[Assumed]) -> Option<Link> {
-    let Formula::Relation {
-        left,
-        relation: relation @ (Relation::Equal | Relation::Approximately),
-        right,
-    } = &goal.formula
-    else {
-        return None;
-    };
-    let Expr::Product(factors) = right else {
-        return None;
-    };
+    let (left, relation, right) = likened(&goal.formula)?;
     let is_of_symbols = !is_figures(right) && is_evaluable(right);
     if !goal.is_said_outright() || !is_of_symbols {
         return None;
@@ -38,13 +30,11 @@ pub(super) fn weighed(goal: &Goal, source: &str, assumed: &[Assumed]) -> Option<
     let share = |fewest: usize| {
         let text = [one, other].map(|side| source.get(side.range()).unwrap_or_default());
         let written = text.map(|text| decimals(text, fewest));
-        let is_printed = factors
-            .iter()
-            .any(|own| matches!(own, Expr::Number(number) if written[1].get(number).is_some()));
+        printed_in(right, &written[1])?;
         let shares = written.iter().flat_map(|own| own.iter());
         let shares = shares.filter(|(number, _)| !number.is_zero());
         let shares = shares.map(|(number, half)| half / number.abs());
-        is_printed.then(|| shares.fold(BigRational::zero(), |sum, own| sum + own))
+        Some(shares.fold(BigRational::zero(), |sum, own| sum + own))
     };
     let loosest = share(FEWEST_OF_IRRATIONAL)?;
     let given = || {
@@ -62,7 +52,7 @@ pub(super) fn weighed(goal: &Goal, source: &str, assumed: &[Assumed]) -> Option<
         .collect();
     let ratio = Figures::default().but_free(&free).ratio(left, right).ok()?;
     let is_rational = ratio.low() == ratio.high();
-    let near = match is_rational && *relation == Relation::Equal {
+    let near = match is_rational && relation == Relation::Equal {
         true => share(FEWEST_DIGITS)?,
         false => loosest,
     };
@@ -94,18 +84,12 @@ pub(super) fn weighed(goal: &Goal, source: &str, assumed: &[Assumed]) -> Option<
 }
 
 /// What a link that is wrong would say with the decimal that both sides differ by, in as many places.
-pub(super) fn nearest(link: &Link, source: &str) -> Option<Formula> {
+fn nearest(link: &Link, source: &str) -> Option<Formula> {
     let Formula::Relation { right, .. } = &link.goal.formula else {
         return None;
     };
-    let Expr::Product(factors) = right else {
-        return None;
-    };
     let written = decimals(source.get(link.goal.sides.1.range())?, FEWEST_OF_IRRATIONAL);
-    let (number, half) = factors.iter().find_map(|own| match own {
-        Expr::Number(number) => Some((number, written.get(number)?)),
-        _ => None,
-    })?;
+    let (number, half) = printed_in(right, &written)?;
     let ratio = link.ratio.as_ref()?;
     let two = BigRational::from_integer(BigInt::from(2));
     let middle = (ratio.low() + ratio.high()) / &two;
@@ -116,4 +100,47 @@ pub(super) fn nearest(link: &Link, source: &str) -> Option<Formula> {
         true => instead.clone(),
         false => term.clone(),
     }))
+}
+
+/// The factor of a product that is printed as one of some decimals, with half a unit of its last digit.
+fn printed_in<'a>(
+    term: &'a Expr,
+    written: &'a Map<BigRational, BigRational>,
+) -> Option<(&'a BigRational, &'a BigRational)> {
+    let Expr::Product(factors) = term else {
+        return None;
+    };
+    factors.iter().find_map(|own| match own {
+        Expr::Number(number) => Some((number, written.get(number)?)),
+        _ => None,
+    })
+}
+
+impl Auditor<'_> {
+    /// Tells of a decimal that is not what both sides differ by. What is refuted is so without it.
+    pub(super) fn heed_coefficients(&self, judge: &Judge, wrong: Vec<Link>, entry: &mut Entry) {
+        let is_of_name = |own: &Link| {
+            let formula = &own.goal.formula;
+            matches!(
+                formula,
+                Formula::Relation {
+                    left: Expr::Symbol(_),
+                    ..
+                }
+            )
+        };
+        if entry.verdict != Verdict::Undecided
+            || judge.cites_loosely() && wrong.iter().any(is_of_name)
+        {
+            return;
+        }
+        let page = &self.derivation.pages[self.derivation.equations[judge.at].page];
+        let source = &page.document.source;
+        let nearest = wrong.first().and_then(|link| nearest(link, source));
+        entry.notes.push(Note::NumericNotSupported);
+        entry.numeric = Some(Box::new(Numeric {
+            nearest,
+            ..Numeric::of_links(wrong)
+        }));
+    }
 }

@@ -5,7 +5,7 @@
 
 use num_traits::Zero;
 
-use crate::algebra::{BigInt, BigRational, Expr, Formula, Relation, Symbol};
+use crate::algebra::{BigInt, BigRational, Expr, Relation, Symbol};
 use crate::derivation::{Goal, goals};
 use crate::document::Span;
 use crate::interval::{Compared, Figures};
@@ -15,7 +15,7 @@ use crate::sorted::Map;
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict};
 use super::decimals::FEWEST_DIGITS;
 use super::rounded::near_whole;
-use super::{Link, Numeric, Weighed, decimals, is_evaluable, weigh};
+use super::{Link, Numeric, Weighed, decimals, is_evaluable, likened, weigh};
 
 /// A whole number with fewer digits is seldom rounded: `12`.
 const FEWEST_WHOLE: usize = 3;
@@ -110,14 +110,7 @@ fn ends_in_whole(goal: &Goal, exactly: &Link) -> bool {
 /// digits they have. Nothing of what is none.
 fn reckoned(goal: Goal, source: Option<&str>, fewest: usize) -> Option<Link> {
     let goal = near_whole(&goal);
-    let Formula::Relation {
-        left,
-        relation: relation @ (Relation::Equal | Relation::Approximately),
-        right,
-    } = &goal.formula
-    else {
-        return None;
-    };
+    let (left, relation, right) = likened(&goal.formula)?;
     let is_number = |term: &Expr| is_figures(term) && is_evaluable(term);
     if !goal.suppositions.is_empty()
         || goal.questioned
@@ -158,7 +151,7 @@ fn reckoned(goal: Goal, source: Option<&str>, fewest: usize) -> Option<Link> {
         (Some(_), _) => Relation::Approximately,
         // Nothing says how near `≈` is meant.
         (None, Relation::Approximately) => return None,
-        (None, own) => *own,
+        (None, own) => own,
     };
     let outcome = weigh(relation, &difference, ratio.as_ref(), near.as_ref());
     Some(Link {

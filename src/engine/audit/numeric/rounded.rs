@@ -17,7 +17,7 @@ use crate::notation::{
 
 use crate::search;
 
-use super::super::again::unitless::number_written;
+use super::super::again::unitless::{OTHER_UNITS, number_written};
 use super::super::entry::leave_open;
 use super::super::judge::{self, Judge};
 use super::super::{Auditor, Entry, Judged, Note, Outcome, Verdict, numeric, premise};
@@ -27,10 +27,6 @@ use super::{Link, Numeric, Taken, Weighed, coefficient, complex, reckoned};
 pub(super) const ROUNDED: &str = "it is rounded";
 /// Why nothing is said of a number that differs from another one that is told of the same.
 const SAID_AGAIN: &str = "another number is told of it before, and it may be told of another case";
-/// Why nothing is said of what numbers with and without units speak against.
-pub(in crate::audit) const OTHER_UNITS: &str =
-    "it may be meant in the units that stand beside the figures before";
-
 impl Auditor<'_> {
     /// Goals that end in rounded numbers, from the figures as they are printed; if these say otherwise, from all that may have been
     /// rounded to them.
@@ -208,31 +204,6 @@ impl Auditor<'_> {
             entry.notes.push(Note::RestsOnUnproved(open));
         }
         entry.numeric = Some(numeric.into());
-    }
-
-    /// Tells of a decimal that is not what both sides differ by. What is refuted is so without it.
-    fn heed_coefficients(&self, judge: &Judge, wrong: Vec<Link>, entry: &mut Entry) {
-        let is_name = |formula: &Formula| {
-            matches!(
-                formula,
-                Formula::Relation {
-                    left: Expr::Symbol(_),
-                    ..
-                }
-            )
-        };
-        let is_link = |own: &Link| !is_name(&own.goal.formula);
-        let is_plain = wrong.iter().all(is_link) || !judge.cites_loosely();
-        if entry.verdict == Verdict::Undecided && is_plain {
-            entry.notes.push(Note::NumericNotSupported);
-            let page = &self.derivation.pages[self.derivation.equations[judge.at].page];
-            let nearest = |link: &Link| coefficient::nearest(link, &page.document.source);
-            let nearest = wrong.first().and_then(nearest);
-            entry.numeric = Some(Box::new(Numeric {
-                nearest,
-                ..Numeric::of_links(wrong)
-            }));
-        }
     }
 
     /// Weighs what ends in numbers beside what is left open. Of what figures speak against that is told where they support it with one small
