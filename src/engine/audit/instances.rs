@@ -4,11 +4,15 @@
 //! symbols itself, `v = v_0 + a t`, is none for that index; nor is one of which a single symbol has the index. A law with an index that runs,
 //! `T_i = 2 \pi \sqrt{h_i/g}`, is one for each number.
 
-use crate::algebra::{BigRational, Expr, Symbol, split_subscript};
+use num_traits::Zero;
+
+use crate::algebra::{BigRational, Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, formulas};
+use crate::kernel::Standing;
 use crate::sorted::{Map, Set};
 
-use super::judge::{Found, Judge};
+use super::Verdict;
+use super::judge::{Found, Judge, taken};
 
 /// So many symbols of a law have the index where it is meant for that.
 const LEAST_INDEXED: usize = 2;
@@ -44,6 +48,7 @@ impl Judge<'_> {
             let mut terms = laws().flat_map(|own| own.formula.terms());
             terms.any(|term| term.mentions(symbol))
         };
+        let stationary = self.where_slopes_vanish(assumed);
         // Of what has an equation of its own nothing is said by another.
         // A letter that runs is none of a thing, unless it is a number that laws speak of: `\lambda_n = 2 L/n`.
         let is_number = |index: &str| {
@@ -71,11 +76,15 @@ impl Judge<'_> {
         let indices: Set<&str> = (indices.into_iter())
             .filter(|&index| index == PRIME || !is_of_one_thing(index))
             .collect();
-        let instance = |law, index| match index {
+        let instance = |(law, least), index| match index {
             PRIME if slopes || goal.formula.speaks_of_slopes() => None,
-            index => self.instance(law, index, &spoken, &has_law),
+            index => self.instance(law, index, least, &spoken, &has_law),
         };
-        let all = laws().flat_map(|law| indices.iter().filter_map(|index| instance(law, index)));
+        // Where slopes vanish the place has a name, `V_c`, and nothing else needs one.
+        let meant = laws().map(|law| (law, LEAST_INDEXED));
+        let meant = meant.chain(stationary.iter().map(|law| (law, 1)));
+        let all =
+            meant.flat_map(|law| indices.iter().filter_map(move |index| instance(law, index)));
         let all: Vec<Assumed> = all.collect();
         let of_instances: Set<Symbol> = all.iter().flat_map(|own| own.formula.names()).collect();
         let mut names = names.iter();
@@ -85,11 +94,55 @@ impl Judge<'_> {
         }
     }
 
-    /// A law for the thing with an index, where enough is `spoken` of that has the index.
+    /// Whether a goal speaks of the place at which slopes are said to vanish, and nothing usable says what they are.
+    pub(super) fn is_of_unknown_place(&self, goal: &Goal, assumed: &[Assumed]) -> bool {
+        let names = goal.formula.names();
+        names.iter().any(|own| index(own).is_some())
+            && assumed.iter().any(|own| vanishing_slope(own).is_some())
+            && self.where_slopes_vanish(assumed).is_empty()
+    }
+
+    /// What is 0 where slopes are said to vanish of which equations say what they are: "Setting (3) and (4) to zero".
+    fn where_slopes_vanish(&self, assumed: &[Assumed]) -> Vec<Assumed> {
+        let vanishing = assumed.iter().filter_map(vanishing_slope);
+        let page = self.derivation.equations[self.at].page;
+        let before = self.derivation.equations_of(page).start..self.at;
+        let is_said = |own: &Formula, slope: &Expr| match own.as_equation() {
+            Some((left, term)) if left == slope => Some(term.clone()),
+            _ => None,
+        };
+        let law_of = |slope: &Expr| {
+            let mut before = before.clone().rev().take(MOST_BEFORE);
+            let at_fault = |at: usize| {
+                let mut entries = self.auditor.entries_of(self.at, at);
+                entries.any(|entry| entry.verdict == Verdict::Fails)
+            };
+            before.find_map(|at| {
+                let mut said = self.derivation.equations[at]
+                    .statements()
+                    .iter()
+                    .flat_map(formulas);
+                let term = said.find_map(|own| is_said(&own, slope))?;
+                (!at_fault(at)).then(|| Assumed {
+                    source: Source::Equation(at),
+                    standing: Standing::AtPoint,
+                    ..taken(&Formula::equal(term, Expr::integer(0)))
+                })
+            })
+        };
+        // One alone says less than is meant.
+        vanishing
+            .map(law_of)
+            .collect::<Option<_>>()
+            .unwrap_or_default()
+    }
+
+    /// A law for the thing with an index, where at `least` so much is `spoken` of that has the index.
     fn instance(
         &self,
         law: &Assumed,
         index: &str,
+        least: usize,
         spoken: &Set<Symbol>,
         has_law: &impl Fn(&Symbol) -> bool,
     ) -> Option<Assumed> {
@@ -126,7 +179,7 @@ impl Judge<'_> {
             && put
                 .values()
                 .all(|own| self.derivation.is_spoken_of_before(self.at, own));
-        if here < LEAST_INDEXED || is_known || put.values().any(|own| names.contains(own)) {
+        if here < least || is_known || put.values().any(|own| names.contains(own)) {
             return None;
         }
         // What keeps its name and depends on what differs is another one for each thing: `S_V` of `S_V/R^2 = 4 k T/R`.
@@ -206,6 +259,16 @@ impl Judge<'_> {
         let outcome = &found.judged.outcome;
         let is_meant = is_drawn || !matches!(left, Expr::Symbol(_));
         (outcome.is_proven() || is_meant && outcome.is_refuted()).then_some(found)
+    }
+}
+
+/// The slope that is said to be 0.
+fn vanishing_slope(own: &Assumed) -> Option<&Expr> {
+    match own.formula.as_equation()? {
+        (slope @ (Expr::Derivative { .. } | Expr::Partial { .. }), Expr::Number(nought)) => {
+            nought.is_zero().then_some(slope)
+        }
+        _ => None,
     }
 }
 

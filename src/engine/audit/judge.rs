@@ -15,7 +15,9 @@ use crate::notation::{plain, plain_symbol};
 use crate::search::{self, Change, Decision, Effort, Implied, Mended};
 use crate::sorted::{self, Set};
 
-use self::unclear::{moves_unseen, only_changes, squared_to_nought, takes_slope_at_a_point};
+use self::unclear::{
+    moves_unseen, only_changes, prescribes, squared_to_nought, takes_slope_at_a_point,
+};
 use super::again::borrowed::Before;
 use super::again::limiting::is_told_of;
 use super::premise::Usable;
@@ -154,6 +156,10 @@ impl Found {
 impl Judge<'_> {
     pub fn goal(&self, goal: &Goal, steps: &[(usize, Formula)], premises: &[usize]) -> Found {
         let mut found = self.goal_from_all(goal, steps, premises);
+        let elsewhere = self.of_other_ranges(&found.contradictory);
+        if !elsewhere.is_empty() {
+            return self.without_what_is_over(goal, steps, premises, elsewhere);
+        }
         if found.judged.outcome.is_proven()
             && let Some((twice, over)) = self.joins_two_sections(&found.judged, premises)
         {
@@ -317,6 +323,16 @@ impl Judge<'_> {
             found.leave_open(format!(
                 "`{moves}` changes, and what it is drawn from does not say how"
             ));
+        }
+        if found.judged.outcome.is_refuted()
+            && self.is_of_unknown_place(goal, &found.judged.assumed)
+        {
+            found.leave_open(
+                "it is said of where slopes vanish, and nothing sound says what these are",
+            );
+        }
+        if found.judged.outcome.is_refuted() && prescribes(&found.judged) {
+            found.leave_open("what a value at a place is may be prescribed, and not derived");
         }
         if found.judged.outcome.is_refuted()
             && let Some(changes) = only_changes(&found.judged)

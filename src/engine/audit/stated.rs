@@ -51,18 +51,22 @@ impl Judge<'_> {
         let Expr::Limit {
             body,
             variable,
-            point: LimitPoint::Finite(_),
+            point: LimitPoint::Finite(place),
         } = side
         else {
             return false;
         };
+        // The place is a value of the variable: `\tau(a) = a P/(2 L)`.
+        let place = quantities(place);
+        let others: Set<Symbol> = others.difference(&place).cloned().collect();
         let gives = |own: &Assumed| match own.formula.as_equation() {
             Some((left, right)) => {
                 left == &**body && right.mentions(variable) && others.is_subset(&quantities(right))
             }
             None => false,
         };
-        !others.is_empty() && self.usable.assumed.iter().any(gives)
+        let [sound, _] = self.others(&[]);
+        !others.is_empty() && self.usable.assumed.iter().chain(sound).any(gives)
     }
 
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.

@@ -117,11 +117,12 @@ fn is_number(argument: &Expr) -> bool {
     }
 }
 
-/// The one symbol of which all other arguments name special values.
+/// The one symbol of which all other arguments name special values, as `r_0` and `a` do of `r`.
 fn the_argument(all: &BTreeSet<Symbol>) -> Option<&Symbol> {
     let is_it = |own: &&Symbol| {
         let mut others = all.iter().filter(|other| other != own);
-        others.all(|other| other.is_variant_of(own))
+        let varies = !names_a_place(own);
+        others.all(|other| other.is_variant_of(own) || varies && names_a_place(other))
     };
     all.iter().find(is_it)
 }

@@ -88,7 +88,12 @@ pub(super) fn recognize(own: &[usize], pages: &mut [Page], equations: &mut [Equa
                 && !said.iter().any(|own| is_quantity(own, &unit))
                 && !is_called_something(own, pages, name)
         };
-        let is_meant = || upright || said.iter().any(|own| shows(own, &unit)) || is_told();
+        let is_meant = || {
+            upright
+                || said.iter().any(|own| shows(own, &unit))
+                || is_beside_planck(own, pages, equations, name)
+                || is_told()
+        };
         named.contains(&unit)
             && !is_declared
             && !said.iter().any(|own| counts(own, &unit))
@@ -108,6 +113,21 @@ fn may_speak_of_one(page: &Page, at: usize, equations: &[Equation]) -> bool {
         let text = page.document.text(equation.body);
         text.split(|c: char| !c.is_alphabetic())
             .any(|word| matches!(word, "i" | "j") || word.starts_with(['i', 'j']) && word.len() < 4)
+    })
+}
+
+/// Whether a letter stands before the reduced Planck constant somewhere, `i \hbar`, as in what cannot be read: nothing but the unit does.
+fn is_beside_planck(own: &[usize], pages: &[Page], equations: &[Equation], letter: &str) -> bool {
+    own.iter().any(|&at| {
+        let of_page = super::equation::of_page(at, equations);
+        equations[of_page].iter().any(|equation| {
+            let text = pages[at].document.text(equation.body);
+            let mut before = text.match_indices("\\hbar").map(|(at, _)| &text[..at]);
+            before.any(|before| {
+                let alone = before.trim_end().strip_suffix(letter);
+                alone.is_some_and(|own| !own.ends_with(|c: char| c.is_alphanumeric() || c == '\\'))
+            })
+        })
     })
 }
 

@@ -161,6 +161,11 @@ fn unit_or_per_unit(text: &str) -> Option<Unit> {
     }
 }
 
+/// Whether a unit stands beside a formula that ends there.
+pub(crate) fn is_in_units(source: &str, end: usize) -> bool {
+    factor_after(source, end).is_some()
+}
+
 /// Whether the units that stand beside formulas, which end there, are of one system, so that figures in them can be reckoned with as they are
 /// written: tonnes and years, and not hours and minutes.
 pub(crate) fn are_of_one_system(source: &str, ends: &[usize]) -> bool {

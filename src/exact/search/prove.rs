@@ -14,6 +14,8 @@ use crate::sorted::Map;
 
 /// The highest power of a goal that is tried: `(μ − 1)² = 0` gives `μ = 1`.
 const HIGHEST_POWER: u32 = 3;
+/// Two products are compared by these of their powers, besides the second.
+const HIGHER_ROOTS: [u32; 2] = [3, 4];
 /// How often roots are taken of what came of it.
 const MOST_ROUNDS: usize = 3;
 const REDUCTIONS: usize = 2_000;
@@ -306,7 +308,7 @@ impl Prover {
         self.read_equations().is_ok()
     }
 
-    /// `a = b` from `a² = b²`, where neither is negative: what is a root of something is told by its square.
+    /// `a = b` from `a² = b²`, where neither is negative: what is a root of something is told by its square. So is a third or fourth root.
     fn zero_by_squares(&self, goal: &Polynomial, basis: &[Tracked]) -> Option<Proof> {
         if goal.len() < 2 {
             return None;
@@ -337,6 +339,11 @@ impl Prover {
             let sum = with_signs(&|monomial, _| monomial.exponent(var) % 2 == 1);
             sums.extend([sum.negated(), sum]);
         }
+        sums.extend(
+            HIGHER_ROOTS
+                .into_iter()
+                .filter_map(|order| beside_root(goal, order)),
+        );
         let mut sums = sums
             .into_iter()
             .filter(|sum| self.knowledge.is_positive(sum));
@@ -451,6 +458,31 @@ impl Prover {
 fn negated(map: &Map<usize, Polynomial>) -> Cofactors {
     let used = map.iter().filter(|(_, c)| !c.is_zero());
     used.map(|(at, c)| (*at, c.negated())).collect()
+}
+
+/// What `a − b` is multiplied by to be `a^g − b^g`: the sum of all `a^i b^(g−1−i)`.
+fn beside_root(goal: &Polynomial, order: u32) -> Option<Polynomial> {
+    let mut terms = goal.terms();
+    let (Some((m, c)), Some((n, d)), None) = (terms.next(), terms.next(), terms.next()) else {
+        return None;
+    };
+    let (c, d) = if c.is_negative() {
+        (-c, d.clone())
+    } else {
+        (c.clone(), -d)
+    };
+    let left = Polynomial::term(m.clone(), c);
+    let right = Polynomial::term(n.clone(), d);
+    let mut sum = Polynomial::zero();
+    for i in 0..order {
+        let own = left
+            .pow(i)
+            .ok()?
+            .times(&right.pow(order - 1 - i).ok()?)
+            .ok()?;
+        sum = sum.plus(&own);
+    }
+    Some(sum)
 }
 
 /// What elimination gives. What it leaves may already be a multiple of the goal; no basis is needed to see that.

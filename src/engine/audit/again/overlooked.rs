@@ -6,7 +6,7 @@
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, formulas};
 use crate::document::{Item, Span};
-use crate::notation::{Statement, plain_symbol, read_formulas};
+use crate::notation::{Statement, has_decimals, plain_symbol, read_formulas};
 use crate::search::Decision;
 use crate::sorted::Set;
 
@@ -34,6 +34,11 @@ impl Judge<'_> {
         if !found.judged.outcome.is_refuted() || !comes_to_number {
             return;
         }
+        // `\frac{1.341 - 1}{1.341 + 1}` is worked out of what was rounded on the way.
+        let is_rounded = match goal.formula.as_equation() {
+            Some((_, Expr::Number(_))) | None => false,
+            Some((_, right)) => has_decimals(right),
+        };
         let with = |values: &[Formula]| -> Vec<Assumed> {
             assumed
                 .iter()
@@ -46,7 +51,7 @@ impl Judge<'_> {
             let all = with(&near);
             match self.decide_from(&all, &goal.formula) {
                 // There is a point at which all of them are so.
-                Some(Decision::Refuted(refuted)) => {
+                Some(Decision::Refuted(refuted)) if !is_rounded => {
                     found.judged.outcome = Outcome::Refuted(refuted.into());
                     found.judged.assumed = all;
                 }
@@ -162,7 +167,7 @@ impl Judge<'_> {
         said
     }
 
-    /// The formulas in the text before the step, past so many displays.
+    /// The formulas in the text before the step, past so many displays, the nearest first: "$z = 1$. For the quasar, with $z = 0.158$".
     fn bodies_before(&self, displays: usize) -> Vec<Span> {
         let own = &self.derivation.equations[self.at];
         let document = &self.derivation.pages[own.page].document;
@@ -177,7 +182,7 @@ impl Judge<'_> {
             Item::Prose(prose) => Some(prose),
             _ => None,
         });
-        let bodies = texts.flat_map(|prose| prose.math.iter().map(|math| math.body));
+        let bodies = texts.flat_map(|prose| prose.math.iter().rev().map(|math| math.body));
         bodies.collect()
     }
 

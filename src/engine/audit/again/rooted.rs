@@ -123,6 +123,11 @@ impl Judge<'_> {
             })
             .collect::<Option<_>>()?;
         let is_unknown = |own: &Symbol| unknowns.contains(own);
+        // `\omega_+` and `\omega_-` are the two roots of one equation.
+        let is_twice = |at: usize| unknowns[..at].contains(&unknowns[at]);
+        if (0..unknowns.len()).any(is_twice) {
+            return None;
+        }
         let values = own.iter().flat_map(formulas);
         let speaks = |own: &Formula| own.names().iter().any(is_unknown);
         if values.clone().any(|own| speaks(&own)) || !value.free_symbols().is_subset(&named) {

@@ -2,8 +2,10 @@
 
 use std::cell::LazyCell;
 
-use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Beyond, Goal, Source};
+use num_traits::Zero;
+
+use crate::algebra::{Expr, Formula, Relation, Symbol};
+use crate::derivation::{Assumed, Beyond, Goal, Source, formulas};
 use crate::kernel::Standing;
 use crate::notation::{has_decimals, is_figures};
 use crate::sorted::Set;
@@ -67,6 +69,49 @@ impl Judge<'_> {
         let over: Vec<&(usize, &Expr, &Expr)> = given.iter().filter(is_other).collect();
         let first = over.first()?.1.clone();
         Some((first, over.iter().map(|own| own.0).collect()))
+    }
+
+    /// Of equations that contradict one another those that hold in a range of their own, where the step says in what range it holds:
+    /// "$$E = -a (x + p), \quad -p < x < 0$$" beside "$$E = -b (q - x), \quad 0 < x < q$$".
+    pub(super) fn of_other_ranges(&self, contradictory: &[Source]) -> Set<usize> {
+        if contradictory.is_empty() {
+            return Set::new();
+        }
+        let bounded = |at: usize| -> Set<Symbol> {
+            let said = self.derivation.equations[at]
+                .statements()
+                .iter()
+                .flat_map(formulas);
+            let bounds = said.filter(Formula::is_inequality);
+            let (lesser, greater): (Vec<_>, Vec<_>) = bounds
+                .filter_map(|own| match own {
+                    Formula::Relation {
+                        left,
+                        relation,
+                        right,
+                    } => Some(match relation {
+                        Relation::Less | Relation::LessOrEqual => (left, right),
+                        _ => (right, left),
+                    }),
+                    Formula::AllEqual { .. } => None,
+                })
+                .unzip();
+            let between = greater.into_iter().filter(|own| lesser.contains(own));
+            between
+                .filter_map(|own| match own {
+                    Expr::Symbol(own) => Some(own),
+                    _ => None,
+                })
+                .collect()
+        };
+        let own = bounded(self.at);
+        let others = contradictory.iter().filter_map(|source| match source {
+            Source::Equation(at) if *at != self.at => Some(*at),
+            _ => None,
+        });
+        others
+            .filter(|&at| !self.over.contains(&at) && bounded(at).iter().any(|of| own.contains(of)))
+            .collect()
     }
 
     /// Whether an equation before follows from others.
@@ -238,6 +283,23 @@ pub(super) fn moves_unseen(judged: &Judged) -> Option<Expr> {
     };
     let mut terms = judged.goal.formula.terms().into_iter();
     terms.find_map(|term| first_in(term, &unseen))
+}
+
+/// Whether it says that a value at a place is 0, which the link before has worked out: `\dot x(0) = -A (\gamma \cos\phi + \omega \sin\phi) = 0`
+/// is how `\phi` is chosen.
+pub(super) fn prescribes(judged: &Judged) -> bool {
+    let Some((worked_out, Expr::Number(nought))) = judged.goal.formula.as_equation() else {
+        return false;
+    };
+    let mut steps = judged
+        .assumed
+        .iter()
+        .filter(|own| own.source == Source::Step);
+    nought.is_zero()
+        && steps.any(|own| {
+            let said = own.formula.as_equation();
+            said.is_some_and(|(left, right)| left.is_value_somewhere() && right == worked_out)
+        })
 }
 
 /// What a goal speaks of, if what it is drawn from tells only how it changes, by its differential: `A = \dots` after `\sigma\,dA` may be

@@ -13,6 +13,7 @@ use crate::derivation::{Assumed, Goal, Page, Printed, Source, goals, values_at};
 use crate::kernel::{Refuted, Standing};
 use crate::notation::{
     Precision, Rounding, Statement, decimal_places, has_decimals, has_units, is_figures,
+    is_in_units,
 };
 
 use crate::search;
@@ -271,7 +272,7 @@ impl Auditor<'_> {
     }
 
     /// Whether some of the numbers in the text that are put in stand without a unit, and others beside words that are turned into units of the SI:
-    /// "$r = 0.90$, $h = 0.10$ per year".
+    /// "$r = 0.90$, $h = 0.10$ per year". Who writes prefixes, "$d = 5$ mm", thinks in the SI.
     fn mixes_units(&self, at: usize, numeric: &Numeric, printed: &[Printed]) -> bool {
         let page = &self.derivation.pages[self.derivation.equations[at].page];
         let source = &page.document.source;
@@ -286,8 +287,8 @@ impl Auditor<'_> {
                 && numeric.data.contains_key(of)
             {
                 match *value == written {
-                    true => bare = true,
-                    false => converted = true,
+                    true => bare |= !is_in_units(source, own.span.end),
+                    false => converted |= !is_power_of_ten(&(value / written)),
                 }
             }
         }
@@ -588,4 +589,10 @@ pub(super) fn near_whole(goal: &Goal) -> Goal {
         rounding: goal.rounding.clone().or(rounding),
         ..goal.clone()
     }
+}
+
+/// Whether a number is `10`, `100`, `1/1000`: what the prefixes of units are.
+fn is_power_of_ten(number: &BigRational) -> bool {
+    let whole = (number.numer() * number.denom()).to_string();
+    whole.trim_end_matches('0') == "1"
 }

@@ -25,6 +25,8 @@ const SETTING: &[&str] = &["setting", "set", "putting", "put", "equating", "equa
 const EQUATING: &[&str] = &["equating", "equate"];
 /// What is differentiated has one of these.
 const SLOPES: &[&str] = &["derivative", "slope", "gradient"];
+/// Something is said to be by one of these of it.
+const VALUES: &[&str] = &["value", "values", "expression"];
 /// A sentence with one of these is about a state that lasts.
 const AT_REST: &[&str] = &["equilibrium", "equilibria", "steady", "stationary"];
 /// These are numbers.
@@ -188,8 +190,21 @@ fn set(source: &str, sentence: &[Placed<'_>]) -> Option<Supposition> {
             None => (Vanishing::Slope, sentence[slope].1),
         },
         (Some(sets), None) => {
-            let what = (sets + 1..zero)
-                .find_map(|at| side(sentence, at).or_else(|| thing(sentence, at)))
+            let own = (sets + 1..zero).find_map(|at| {
+                let side = side(sentence, at).map(|own| (own, at));
+                side.or_else(|| Some((thing(sentence, at)?, at)))
+            });
+            // "Setting the variation of (9) to zero" sets something else.
+            let is_of = |at: usize| {
+                among(sentence, at - 1, &["of"]) && !among(sentence, at.saturating_sub(2), VALUES)
+            };
+            if own.is_some_and(|((what, _), at)| {
+                matches!(what, Vanishing::Cited | Vanishing::Term) && is_of(at)
+            }) {
+                return None;
+            }
+            let what = own
+                .map(|own| own.0)
                 // "Set equal to zero:"
                 .or_else(|| (sets == 0).then_some((Vanishing::Display, sentence[sets].1)));
             match (what, result_of_differentiating(sentence, sets)) {
