@@ -289,6 +289,11 @@ impl Judge<'_> {
                 return own;
             }
         }
+        if found.contradictory.is_empty()
+            && let Some(own) = self.determined_otherwise(goal, premises, &found)
+        {
+            return own;
+        }
         if found.judged.outcome.is_refuted()
             && !self.is_directed()
             && goal.formula.speaks_of_slopes()

@@ -42,6 +42,7 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     if !all_terms(page, equations).any(|term| term.any(&is_applied)) {
         return;
     }
+    integrate_over_arguments(page, equations);
     let mut all: Tree<Symbol, Spoken> = Tree::new();
     for statement in equations.iter().flat_map(Equation::statements) {
         let said: Vec<Formula> = formulas(statement);
@@ -201,11 +202,106 @@ fn within<'a>(
     bound.pop();
 }
 
+/// An integral over another letter than the argument of what stands in it, up to that: `\int_0^r \rho s^2\,ds` of `\rho(r)` is one of `\rho(s)`.
+fn over_another(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Option<Expr> {
+    let Expr::Integral {
+        body,
+        variable,
+        from,
+        to,
+    } = term
+    else {
+        return None;
+    };
+    let moved = |own: &Symbol| match functions.get(own) {
+        Some((argument, true)) if argument != variable => {
+            let mut limits = [from, to].into_iter();
+            limits
+                .any(|limit| limit.mentions(argument))
+                .then_some(argument)
+        }
+        _ => None,
+    };
+    let argument = body.free_symbols().iter().find_map(moved)?.clone();
+    over(term, &argument)
+}
+
+/// An integral with its variable called otherwise; nothing where something else is called so in it.
+fn over(term: &Expr, other: &Symbol) -> Option<Expr> {
+    let Expr::Integral {
+        body,
+        variable,
+        from,
+        to,
+    } = term
+    else {
+        return None;
+    };
+    let is_taken = |part: &Expr| {
+        let is_other = matches!(part, Expr::Symbol(own) if own == other);
+        is_other
+            || part
+                .binder()
+                .is_some_and(|own| own == other || own == variable)
+    };
+    (!body.any(&is_taken)).then(|| Expr::Integral {
+        body: body
+            .substitute(variable, &Expr::Symbol(other.clone()))
+            .into(),
+        variable: other.clone(),
+        from: from.clone(),
+        to: to.clone(),
+    })
+}
+
+/// Integrals of what displays give, over its own argument: `\int_0^r \rho(s) s^2\,ds` of `\rho(r) = …` is `\int_0^r \rho(r) r^2\,dr`.
+fn integrate_over_arguments(page: &mut Page, equations: &mut [Equation]) {
+    let mut given: Tree<Symbol, Option<Symbol>> = Tree::new();
+    let statements = equations.iter().flat_map(Equation::statements);
+    for formula in statements.flat_map(formulas) {
+        let Some((Expr::Apply(name, arguments), value)) = formula.as_equation() else {
+            continue;
+        };
+        if let [Expr::Symbol(argument)] = &arguments[..]
+            && value.mentions(argument)
+            && !names_a_place(argument)
+        {
+            let known = given
+                .entry(name.clone())
+                .or_insert_with(|| Some(argument.clone()));
+            known.take_if(|own| own != argument);
+        }
+    }
+    if !given.is_empty() {
+        map_terms(page, equations, |term| over_arguments(term, &given));
+    }
+}
+
+fn over_arguments(term: &Expr, given: &Tree<Symbol, Option<Symbol>>) -> Expr {
+    let own = term.map_children(|child| over_arguments(child, given));
+    let Expr::Integral { body, variable, .. } = &own else {
+        return own;
+    };
+    let mut applied = Formula::applied_in([&**body]).into_iter();
+    let argument = applied.find_map(|name| given.get(&name)?.clone());
+    let is_there = |part: &Expr| match part {
+        Expr::Apply(name, arguments) => {
+            given.get(name).is_some() && arguments[..] == [Expr::Symbol(variable.clone())]
+        }
+        _ => false,
+    };
+    match argument.filter(|own| own != variable && body.any(&is_there)) {
+        Some(argument) => over(&own, &argument).unwrap_or(own),
+        None => own,
+    }
+}
+
 /// A term without the arguments that are left out, and with values at a number as what they are: limits there, which are the values of
 /// what does not jump.
 fn without(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Expr {
     let Expr::Apply(name, arguments) = term else {
-        return term.map_children(|child| without(child, functions));
+        let own = term.map_children(|child| without(child, functions));
+        return over_another(&own, functions).unwrap_or(own);
     };
     let plain = |name: &Symbol| {
         let (argument, left_out) = functions.get(name)?;

@@ -304,7 +304,7 @@ pub(super) fn own_number(term: &Expr) -> Option<Rational> {
 }
 
 /// The size of the number that a term begins with, 1 if with none.
-fn coefficient(term: &Expr) -> Rational {
+pub(super) fn coefficient(term: &Expr) -> Rational {
     let own = match term {
         Expr::Product(factors) => factors.first().and_then(own_number),
         term => own_number(term),

@@ -57,6 +57,12 @@ impl Judge<'_> {
         search::refute_in_context(&*self.pose(cited, &goal.formula).ok()?, &larger)
     }
 
+    /// The same of a claim.
+    pub(super) fn refuted_together(&self, claim: Claim, larger: Claim) -> Option<Refuted> {
+        let (claim, larger) = (self.pose_claim(claim).ok()?, self.pose_claim(larger).ok()?);
+        search::refute_in_context(&claim, &larger)
+    }
+
     /// Leaves open a step that was refuted from what is cited, where nothing refutes it at which a larger claim's hypotheses hold as well.
     pub(super) fn heed_larger(
         &self,

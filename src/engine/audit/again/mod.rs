@@ -16,6 +16,7 @@ mod approximated;
 pub(super) mod borrowed;
 mod compared;
 pub(super) mod conditions;
+mod determined;
 mod driven;
 pub(super) mod expanded;
 mod going_on;

@@ -274,16 +274,30 @@ impl Judge<'_> {
         chain: &InChain,
         found: &mut Found,
     ) {
-        // What nothing introduces as a step may be a law.
-        if self.derivation.equations[self.at].bare {
+        // What nothing introduces as a step may be a law, but for what an integral is worked out to.
+        let is_integral = |part: &Expr| matches!(part, Expr::Integral { .. });
+        let sides = goal.formula.as_equation();
+        let integrates = sides.is_some_and(|(left, _)| left.any(&is_integral));
+        if self.derivation.equations[self.at].bare && !integrates {
             return;
         }
+        let held = match &found.judged.outcome {
+            Outcome::Refuted(refuted) => {
+                let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+                self.held_in(goal, assumed, refuted.claim(), &claim)
+            }
+            _ => Vec::new(),
+        };
+        let claim = |all: &[Assumed], formula: &Formula| {
+            let own = self.derivation.claim(self.at, all, formula);
+            search::with_constants(own, held.iter().cloned())
+        };
         let mut sets = vec![assumed.to_vec()];
         if !self.names_its_premises() {
             sets.extend(self.with_others(assumed, premises));
         }
         for set in sets {
-            let bare = self.derivation.claim(self.at, &set, &goal.formula);
+            let bare = claim(&set, &goal.formula);
             let nonzero = |symbol: &Symbol| Formula::nonzero(Expr::Symbol(symbol.clone()));
             let conditions: Vec<Formula> = unbounded(&bare).iter().map(nonzero).collect();
             if conditions.is_empty() {
@@ -295,10 +309,11 @@ impl Judge<'_> {
                     .cloned()
                     .chain(conditions.iter().map(step))
                     .collect();
-                self.derivation.claim(self.at, &all, formula)
+                claim(&all, formula)
             };
             let larger = with(&conditions, &goal.formula);
-            let Some(refuted) = self.refuted_in_context(goal, assumed, larger.clone()) else {
+            let cited = claim(assumed, &goal.formula);
+            let Some(refuted) = self.refuted_together(cited, larger.clone()) else {
                 continue;
             };
             let hints = self.auditor.hints();

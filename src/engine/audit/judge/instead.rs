@@ -1,6 +1,6 @@
 //! What holds in the place of what was refuted.
 
-use crate::algebra::{Expr, Formula};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, values_at};
 use crate::kernel::Claim;
 use crate::search::{self, Effort, Implied, InChain};
@@ -59,6 +59,8 @@ impl Judge<'_> {
             return None;
         };
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
+        let held = self.held_in(goal, assumed, refuted.claim(), &claim);
+        let claim = search::with_constants(claim, held);
         let chain = self.in_chain(goal, assumed)?;
         // What the text itself names is likelier meant than that the pen slipped.
         let mentioned = self.derivation.mentioned(self.at);
@@ -102,6 +104,58 @@ impl Judge<'_> {
             found.conditions = unless.conditions();
         }
         Some((claim, chain))
+    }
+
+    /// What a counterexample holds constant and may be meant to be; nothing where the goal takes an integral or a limit of what other equations give than
+    /// those it is drawn from: `\int \rho s^2\,ds` after `\rho = \rho_c (1 - r/R)`.
+    pub(in crate::audit) fn held_in(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        by: &Claim,
+        claim: &Claim,
+    ) -> Vec<Symbol> {
+        let [near, _] = self.others(&[]);
+        let is_said = |own: &Assumed, symbol: &Symbol, by: Option<&Symbol>| {
+            let said = own.formula.said_of();
+            said.is_some_and(|(of, term)| of == symbol && by.is_none_or(|by| term.mentions(by)))
+        };
+        let is_given = |symbol: &Symbol| {
+            assumed
+                .iter()
+                .chain(near)
+                .any(|own| is_said(own, symbol, None))
+        };
+        let takes_unknown = |part: &Expr| {
+            let (Expr::Integral { body, variable, .. } | Expr::Limit { body, variable, .. }) = part
+            else {
+                return false;
+            };
+            let is_known = |own: &Symbol| {
+                assumed
+                    .iter()
+                    .any(|said| is_said(said, own, Some(variable)))
+            };
+            let moves =
+                |own: &Symbol| is_given(own) || self.auditor.changes(self.at, own, variable);
+            let mut names = body
+                .free_symbols()
+                .into_iter()
+                .filter(|own| own != variable);
+            names.any(|own| moves(&own) && !is_known(&own))
+        };
+        let mut terms = goal.formula.terms().into_iter();
+        if terms.any(|term| term.any(&takes_unknown)) {
+            return Vec::new();
+        }
+        let is_held =
+            |own: &&Symbol| by.is_constant(own) && !claim.is_constant(own) && !is_given(own);
+        goal.formula
+            .names()
+            .iter()
+            .filter(is_held)
+            .cloned()
+            .collect()
     }
 
     /// Which side of a refuted link may be wrong, as far as its neighbours tell; nothing where it is only the left one,

@@ -4,7 +4,7 @@ use crate::algebra::{
     BigRational, Expr, Formula, Function, Rational, Relation, Symbol, product_of,
 };
 
-use super::super::implied::{number, own_number, scaled};
+use super::super::implied::{coefficient, number, own_number, scaled};
 use crate::sorted::{self, Set};
 
 /// Formulas with more parts than this are not edited: a reader could not see one slip in them either.
@@ -295,6 +295,10 @@ impl Editor<'_> {
         }
         if printed.as_ref().is_some_and(Rational::is_zero) {
             return;
+        }
+        for factor in beside_fraction(term) {
+            let other = signed(scaled(term, &factor));
+            self.found.push((Change::Coefficient, 2, other));
         }
         for (at, (above, below)) in FACTORS.into_iter().enumerate() {
             let factor = Rational::ratio(above, below);
@@ -674,6 +678,35 @@ fn whole_coefficient(term: &Expr) -> Option<Rational> {
         _ => Some(Rational::one()),
     };
     own.filter(Rational::is_integer)
+}
+
+/// What a term is multiplied by where the number below its fraction, or above it, is one more or less: `\frac{b^4}{5}` for `\frac{b^4}{4}`.
+fn beside_fraction(term: &Expr) -> Vec<Rational> {
+    let (above, below) = match term {
+        Expr::Quotient(above, below) => (coefficient(above), coefficient(below)),
+        Expr::Product(factors) => {
+            let mut fractions = factors
+                .iter()
+                .filter(|own| matches!(own, Expr::Quotient(..)));
+            return fractions.next().map(beside_fraction).unwrap_or_default();
+        }
+        _ => return Vec::new(),
+    };
+    let one = Rational::one();
+    let beside = |own: &Rational| {
+        let is_plain = own.is_integer() && !own.is_one();
+        let all = if is_plain {
+            vec![own - &one, own + &one]
+        } else {
+            Vec::new()
+        };
+        all.into_iter()
+            .filter(|own| !own.is_zero())
+            .collect::<Vec<Rational>>()
+    };
+    let over = beside(&below).into_iter().map(|other| &below / &other);
+    over.chain(beside(&above).into_iter().map(|other| &other / &above))
+        .collect()
 }
 
 /// Two of these symbols at a time, where they are few.
