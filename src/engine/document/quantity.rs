@@ -44,6 +44,12 @@ static NAMES: &[Name] = &[
     plain("angular frequency"), plain("gas constant"), plain("kinematic viscosity"), plain("kinetic energy"),
     plain("dynamic viscosity"), plain("number density"), plain("gravitational constant"), plain("energy density"),
     plain("magnetic field"), plain("electric field"), plain("angular velocity"), plain("charge density"),
+    measured_as("mass per unit length", "line density", &[]), measured_as("mass per unit area", "surface density", &[]),
+    measured_as("mass per unit volume", "mass density", &[]), measured_as("charge per unit area", "surface charge density", &[]),
+    measured_as("charge per unit volume", "charge density", &[]), measured_as("force per unit area", "pressure", &[]),
+    measured_as("force per unit length", "surface tension", &[]), measured_as("energy per unit volume", "energy density", &[]),
+    measured_as("energy per unit area", "surface tension", &[]), measured_as("power per unit area", "intensity", &[]),
+    measured_as("current per unit area", "current density", &[]), measured_as("energy per unit mass", "specific energy", &[]),
     measured_as("young's modulus", "pressure", &[]),
     measured_as("diffusion coefficient", "diffusivity", &[]),
     measured_as("diffusion constant", "diffusivity", &[]),
@@ -63,12 +69,13 @@ static NAMES: &[Name] = &[
     measured_as("tension", "force", &["T", "F"]),
     measured_as("cross-section", "area", &["A", "S", "a"]),
     measured_as("luminosity", "power", &["L"]),
+    measured_as("stiffness", "spring constant", &["k", "\\kappa"]),
     measured_as("viscosity", "dynamic viscosity", &["\\eta", "\\mu"]),
     measured_as("stress", "pressure", &["\\sigma", "\\tau"]),
     measured_as("energy", "energy", &["E", "U", "W"]),
 ];
 /// The longest name in words.
-const LONGEST: usize = 3;
+const LONGEST: usize = 4;
 /// With one of these before it a name is that of something else.
 static OF_ANOTHER: Words = Words::of(&[
     "per",
@@ -116,6 +123,10 @@ static OF_ANOTHER: Words = Words::of(&[
     "proper",
     "half",
     "twice",
+    "bending",
+    "torsional",
+    "flexural",
+    "rotational",
 ]);
 /// After these a symbol is what is spoken of.
 const SPEAKING: [&str; 7] = ["where", "here", "if", "with", "since", "let", "when"];
@@ -156,6 +167,12 @@ const TRAILING: [&str; 10] = [
     "by",
     "again",
 ];
+/// What comes after these is what the display gives, with an article, or without.
+const GIVING: [&str; 15] = [
+    "give", "gives", "gave", "giving", "yield", "yields", "yielding", "obtain", "obtains", "find",
+    "finds", "get", "use", "used", "using",
+];
+const HAVING: [&str; 4] = ["with", "has", "have", "having"];
 /// A subject begins with one of these.
 const ARTICLES: [&str; 5] = ["the", "its", "their", "this", "a"];
 /// One of these may stand before it.
@@ -212,7 +229,7 @@ pub(super) fn subject(tokens: &[Placed<'_>]) -> Option<Subject> {
             .count();
     let (said, verb) = sentence[..end].split_at(end.checked_sub(1)?);
     if !verb[0].0.is_among(&SAYING) {
-        return None;
+        return object(sentence);
     }
     // "The force on the wall": what is said of it more nearly.
     let plain = said.iter().rev();
@@ -239,6 +256,28 @@ pub(super) fn subject(tokens: &[Placed<'_>]) -> Option<Subject> {
     (begins && is_plain && !LOOSE.contains(&name)).then_some(Subject { name, letters })
 }
 
+/// What a sentence ends in that gives it, or has it: "The two together give the downward force", "It moves like a mass on a spring with stiffness".
+fn object(sentence: &[Placed<'_>]) -> Option<Subject> {
+    let comma = sentence.last().is_some_and(|(token, _)| token.is_mark(','));
+    let sentence = &sentence[..sentence.len() - usize::from(comma)];
+    let names = (1..=LONGEST.min(sentence.len())).rev();
+    let (before, &(_, name, letters)) = names.into_iter().find_map(|words| {
+        let (before, named) = sentence.split_at(sentence.len() - words);
+        Some((before, name_of(named)?))
+    })?;
+    let says = |at: usize, words: &[&str]| {
+        at < before.len() && among(before, before.len() - 1 - at, words)
+    };
+    let has = says(0, &HAVING);
+    // "We find the distribution of speeds" gives another thing.
+    let describes = |at: usize| !says(at, &AFTER);
+    let is_given = |at: usize| says(at, &GIVING) || says(at, &HAVING);
+    let gives = (0..=MOST_DESCRIBING)
+        .any(|at| says(at, &ARTICLES) && is_given(at + 1) && (0..at).all(describes));
+    (is_of_itself(before) && (has || gives) && !LOOSE.contains(&name))
+        .then_some(Subject { name, letters })
+}
+
 /// The quantities that symbols are said to be, in order.
 pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Quantity> {
     let mut found: Vec<Quantity> = Vec::new();
@@ -246,18 +285,22 @@ pub(super) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Quantity> {
         let Token::Math(body) = tokens[at].0 else {
             continue;
         };
-        if is_per_something(&tokens[at + 1..]) {
-            continue;
-        }
         let list = first_of_list(tokens, at);
         let Token::Math(first) = tokens[list].0 else {
             continue;
         };
         let name = name_before(&tokens[..list]);
         let is_explained = name.is_none();
-        let Some(&(_, name, letters)) = name.or_else(|| name_after(tokens, at)) else {
+        let after = || name_after(tokens, at);
+        let is_per = is_per_something(&tokens[at + 1..]);
+        // "the mass $\mu$ per unit length", and "where $\mu$ is the mass per unit length".
+        let name = name.filter(|_| !is_per).or_else(after);
+        let Some(&(called, name, letters)) = name else {
             continue;
         };
+        if is_per && !called.contains(" per ") {
+            continue;
+        }
         let text = source.get(body.range()).unwrap_or_default().trim_start();
         let is_meant = letters.is_empty() || letters.iter().any(|letter| text.starts_with(letter));
         found.extend(is_meant.then_some(Quantity {

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 
 use num_traits::{One, Zero};
 
+use super::parser::quantity_of;
 use super::unit::{Unit, raised_figure};
 use super::{Before, BeforeKind, Clause, Statement, figures, unit};
 use crate::algebra::{BigRational, Expr, Symbol};
@@ -24,8 +25,8 @@ const MOST_PARTS: usize = 6;
 
 /// What the number of a formula is multiplied by.
 enum Factor {
-    /// How much of the SI the unit is.
-    Unit(BigRational),
+    /// How much of the SI the unit is, and of what.
+    Unit(Unit),
     Degrees,
 }
 
@@ -48,7 +49,7 @@ pub(super) fn in_si(source: &str, body: Span, statements: &mut [Statement]) {
         return;
     }
     let by = match factor_after(source, body.end).or_else(|| factor_of_pair(source, body)) {
-        Some(Factor::Unit(number)) if !number.is_one() => number,
+        Some(Factor::Unit(unit)) if !unit.number.is_one() => unit.number,
         Some(Factor::Degrees) => {
             side.expr = figures::degrees(side.expr.clone());
             let before = Before {
@@ -124,7 +125,7 @@ fn factor_after(source: &str, end: usize) -> Option<Factor> {
     if spaces == 0 && !is_sign && !is_spaced {
         return None;
     }
-    unit_or_per_unit(spaced).map(|own| Factor::Unit(own.number))
+    unit_or_per_unit(spaced).map(Factor::Unit)
 }
 
 /// What two decimals are said to be per that stand side by side: "$\beta = 0.50$ and $\gamma = 0.20$ per day".
@@ -146,7 +147,7 @@ fn factor_of_pair(source: &str, body: Span) -> Option<Factor> {
     decimal(other)?;
     let after = after.trim_start();
     let unit = after.starts_with("per ").then(|| unit_or_per_unit(after))?;
-    unit.map(|own| Factor::Unit(own.number))
+    unit.map(Factor::Unit)
 }
 
 /// The unit that a text begins with, `t/a`, or what it is per: `$\lambda = 18$ per hour`.
@@ -164,6 +165,17 @@ fn unit_or_per_unit(text: &str) -> Option<Unit> {
 /// Whether a unit stands beside a formula that ends there.
 pub(crate) fn is_in_units(source: &str, end: usize) -> bool {
     factor_after(source, end).is_some()
+}
+
+/// The units of the SI in which the number of a formula is that ends there, if the text goes on with a unit.
+pub(crate) fn si_beside(source: &str, end: usize) -> Option<Expr> {
+    match factor_after(source, end)? {
+        Factor::Unit(mut unit) => {
+            unit.number = BigRational::one();
+            Some(quantity_of(None, &unit))
+        }
+        Factor::Degrees => None,
+    }
 }
 
 /// Whether the units that stand beside formulas, which end there, are of one system, so that figures in them can be reckoned with as they are

@@ -29,7 +29,7 @@ mod statement;
 mod typeset;
 mod unit;
 
-pub(crate) use beside::{are_of_one_system, is_in_units};
+pub(crate) use beside::{are_of_one_system, is_in_units, si_beside};
 pub(crate) use commands::is_command;
 pub(crate) use figures::{
     has_decimals, has_units, in_si, is_degrees, is_figures, units_beside, without_units,

@@ -174,7 +174,7 @@ impl Report<'_> {
         let names: Set<Symbol> = parts.flat_map(|part| part.formula.names()).collect();
         let told = names.iter().filter_map(|own| Some((own, told.get(own)?)));
         told.map(|(own, told)| match &told.by {
-            Tells::Units(words) => plain_formula(words),
+            Tells::Units(words) | Tells::Beside(words) => plain_formula(words),
             Tells::Name(quantity) => {
                 let line = self.line_of(page, quantity.body);
                 format!(

@@ -12,7 +12,7 @@ use crate::derivation::{Derivation, Source, formulas, without_dots};
 use crate::dimension::{Conflict, Inference, occur};
 use crate::document::Quantity;
 use crate::kernel::dimension::Scope;
-use crate::notation::{has_decimals, has_units, is_figures, measured};
+use crate::notation::{has_decimals, has_units, is_figures, measured, si_beside};
 use crate::sorted::{self, Set, Tree};
 
 use super::by_name::{chooses_units, constants, quantities, time};
@@ -38,6 +38,8 @@ pub struct Measured {
 pub enum Tells {
     /// Its value is given in units.
     Units(Formula),
+    /// Its value is given in units that stand beside it: "$d = 2.00$ mm".
+    Beside(Formula),
     /// The text calls it by the name of a quantity.
     Name(Quantity),
     /// By it are rates, where nothing else is said.
@@ -52,7 +54,7 @@ impl Tells {
         match self {
             Tells::Units(_) => true,
             Tells::Name(quantity) => quantity.is_explained,
-            Tells::Rates | Tells::Letter(_) => false,
+            Tells::Beside(_) | Tells::Rates | Tells::Letter(_) => false,
         }
     }
 
@@ -80,7 +82,10 @@ impl Dimensions {
         for page in 0..derivation.pages.len() {
             let mut rows = rows(derivation, page);
             let told = in_units(derivation, page);
-            let is_amiss = all.alone(derivation, page, &rows, &known(&told));
+            let firm = known(&told)
+                .into_entries()
+                .filter(|(_, own)| own.by.is_plain());
+            let is_amiss = all.alone(derivation, page, &rows, &firm.collect());
             let told = with_names(derivation, page, told, &mut rows);
             // That something is a time alone contradicts nothing.
             let is_named = (told.iter()).any(|(_, own)| !matches!(own.by, Tells::Rates));
@@ -300,7 +305,18 @@ fn with_names(
 ) -> Told {
     let page = &derivation.pages[page];
     for (symbol, own) in quantities(page) {
-        told.entry(symbol).or_insert(Some(own));
+        let known = told.entry(symbol).or_insert_with(|| Some(own.clone()));
+        // "A ball of diameter $d$" and "$d = 2.00$ mm" agree, and then there is no doubt.
+        if let Some(Measured {
+            dimension,
+            by: Tells::Beside(words),
+        }) = known
+        {
+            *known = (*dimension == own.dimension).then(|| Measured {
+                dimension: own.dimension,
+                by: Tells::Units(words.clone()),
+            });
+        }
     }
     let (symbol, own) = time();
     let time = told.entry(symbol.clone()).or_insert(Some(own.clone()));
@@ -330,15 +346,32 @@ fn known(told: &Tree<Symbol, Option<Measured>>) -> Told {
 
 /// What a page tells with units; nothing of what it gives in several dimensions, or once without units.
 fn in_units(derivation: &Derivation, page: usize) -> Tree<Symbol, Option<Measured>> {
-    let locals = derivation.pages[page].locals.iter();
-    let supposed = locals.flat_map(|local| local.formulas.iter().map(|own| Formula::clone(own)));
     let last = derivation.equations_of(page).last();
     let printed = last
         .map(|at| derivation.figures_before(at))
         .unwrap_or_default();
-    let printed = printed.into_iter().map(|own| own.goal.formula);
+    // "$d = 2.00$ mm" is read as it is put in, in metres.
+    let source = &derivation.pages[page].document.source;
+    let mut beside: Vec<(Formula, Formula)> = Vec::new();
+    for own in printed.iter().filter(|own| own.equation.is_none()) {
+        let formula = &own.goal.formula;
+        if let Some((of, value)) = formula.as_equation()
+            && !has_units(value)
+            && let Some(unit) = si_beside(source, own.span.end)
+        {
+            let value = Expr::Product([value.clone(), unit].into());
+            beside.push((formula.clone(), Formula::equal(of.clone(), value)));
+        }
+    }
+    let with_unit = |formula: Formula| match beside.iter().find(|own| own.0 == formula) {
+        Some((_, own)) => (own.clone(), true),
+        None => (formula, false),
+    };
+    let locals = derivation.pages[page].locals.iter();
+    let supposed = locals.flat_map(|local| local.formulas.iter().map(|own| Formula::clone(own)));
+    let printed = printed.iter().map(|own| own.goal.formula.clone());
     let mut found: Tree<Symbol, Option<Measured>> = Tree::new();
-    for formula in supposed.chain(printed) {
+    for (formula, is_beside) in supposed.chain(printed).map(with_unit) {
         let Some((Expr::Symbol(symbol), value)) = formula.as_equation() else {
             continue;
         };
@@ -348,7 +381,10 @@ fn in_units(derivation: &Derivation, page: usize) -> Tree<Symbol, Option<Measure
         let own = dimension_of(value).filter(|_| has_units(value));
         let own = own.map(|dimension| Measured {
             dimension,
-            by: Tells::Units(formula.clone()),
+            by: match is_beside {
+                true => Tells::Beside(formula.clone()),
+                false => Tells::Units(formula.clone()),
+            },
         });
         let known = found.entry(symbol.clone()).or_insert_with(|| own.clone());
         let dimension = |of: &Option<Measured>| of.as_ref().map(|own| own.dimension.clone());

@@ -39,6 +39,7 @@ mod worked_out;
 pub(crate) use function::{angle_of, argument_of};
 pub(super) use function::{is_minus_one, stem};
 pub(crate) use name::with_subscript;
+pub(super) use quantity::product as quantity_of;
 
 use std::collections::BTreeSet;
 use std::convert::Infallible;

@@ -57,7 +57,7 @@ impl Parser<'_> {
 
 /// A number of a unit as a term. As `60\,\mathrm{cm}` is read, a number stands by itself before a unit that is none of the SI: what is worked out
 /// in numbers alone is compared with the number as it is written.
-pub(super) fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
+pub(in crate::notation) fn product(value: Option<&BigRational>, unit: &Unit) -> Expr {
     let has_bases = unit.factors().next().is_some();
     let mut factors = Vec::new();
     let number = match value {
