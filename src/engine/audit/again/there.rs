@@ -90,7 +90,7 @@ impl Judge<'_> {
         may_fail: MayFail,
     ) -> Option<There> {
         let solved = || self.solved_for(goal, asked.quantity?, premises);
-        match self.judged_anywhere(goal, assumed.clone(), asked, may_fail) {
+        match self.judged_anywhere(goal, (assumed.clone(), premises), asked, may_fail) {
             // What words around it say of the symbol itself may be drawn from it.
             Some(There::Shown) if asked.quantity.is_none() => return Some(There::Shown),
             Some(There::Shown) => {
@@ -107,7 +107,7 @@ impl Judge<'_> {
         if may_fail == MayFail::Never || assumed.len() == before {
             return None;
         }
-        match self.judged_anywhere(goal, assumed, asked, may_fail)? {
+        match self.judged_anywhere(goal, (assumed, premises), asked, may_fail)? {
             There::Shown => solved(),
             found => Some(found),
         }
@@ -154,7 +154,7 @@ impl Judge<'_> {
     fn judged_anywhere(
         &self,
         goal: &Goal,
-        assumed: Vec<Assumed>,
+        (assumed, premises): (Vec<Assumed>, &[usize]),
         asked: &Asked,
         may_fail: MayFail,
     ) -> Option<There> {
@@ -166,7 +166,7 @@ impl Judge<'_> {
                     assumed: assumed.clone(),
                     outcome: Outcome::Refuted(refuted.into()),
                 });
-                self.instead_from_these(goal, &assumed, &mut found);
+                self.instead_from_these(goal, &assumed, premises, &mut found);
                 let gives = found.gives(asked, may_fail);
                 gives.then(|| There::Refuted(found.into()))
             }

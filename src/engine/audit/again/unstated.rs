@@ -284,7 +284,7 @@ impl Judge<'_> {
         let held = match &found.judged.outcome {
             Outcome::Refuted(refuted) => {
                 let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-                self.held_in(goal, assumed, refuted.claim(), &claim)
+                self.held_in(goal, (assumed, premises), refuted.claim(), &claim)
             }
             _ => Vec::new(),
         };

@@ -17,7 +17,7 @@ impl Judge<'_> {
         premises: &[usize],
         found: &mut Found,
     ) {
-        let Some((claim, chain)) = self.instead_from_these(goal, assumed, found) else {
+        let Some((claim, chain)) = self.instead_from_these(goal, assumed, premises, found) else {
             return;
         };
         let Outcome::Refuted(refuted) = &found.judged.outcome else {
@@ -53,13 +53,14 @@ impl Judge<'_> {
         &self,
         goal: &Goal,
         assumed: &[Assumed],
+        premises: &[usize],
         found: &mut Found,
     ) -> Option<(Claim, InChain)> {
         let Outcome::Refuted(refuted) = &found.judged.outcome else {
             return None;
         };
         let claim = self.derivation.claim(self.at, assumed, &goal.formula);
-        let held = self.held_in(goal, assumed, refuted.claim(), &claim);
+        let held = self.held_in(goal, (assumed, premises), refuted.claim(), &claim);
         let claim = search::with_constants(claim, held);
         let chain = self.in_chain(goal, assumed)?;
         // What the text itself names is likelier meant than that the pen slipped.
@@ -111,11 +112,11 @@ impl Judge<'_> {
     pub(in crate::audit) fn held_in(
         &self,
         goal: &Goal,
-        assumed: &[Assumed],
+        (assumed, premises): (&[Assumed], &[usize]),
         by: &Claim,
         claim: &Claim,
     ) -> Vec<Symbol> {
-        let [near, _] = self.others(&[]);
+        let [near, _] = self.others(premises);
         let is_said = |own: &Assumed, symbol: &Symbol, by: Option<&Symbol>| {
             let said = own.formula.said_of();
             said.is_some_and(|(of, term)| of == symbol && by.is_none_or(|by| term.mentions(by)))
