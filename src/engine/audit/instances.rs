@@ -48,7 +48,6 @@ impl Judge<'_> {
             let mut terms = laws().flat_map(|own| own.formula.terms());
             terms.any(|term| term.mentions(symbol))
         };
-        let stationary = self.where_slopes_vanish(assumed);
         // Of what has an equation of its own nothing is said by another.
         // A letter that runs is none of a thing, unless it is a number that laws speak of: `\lambda_n = 2 L/n`.
         let is_number = |index: &str| {
@@ -81,6 +80,7 @@ impl Judge<'_> {
             index => self.instance(law, index, least, &spoken, &has_law),
         };
         // Where slopes vanish the place has a name, `V_c`, and nothing else needs one.
+        let stationary = self.where_slopes_vanish(assumed);
         let meant = laws().map(|law| (law, LEAST_INDEXED));
         let meant = meant.chain(stationary.iter().map(|law| (law, 1)));
         let all =

@@ -204,30 +204,23 @@ fn within<'a>(
 
 /// An integral over another letter than the argument of what stands in it, up to that: `\int_0^r \rho s^2\,ds` of `\rho(r)` is one of `\rho(s)`.
 fn over_another(term: &Expr, functions: &Tree<Symbol, (Symbol, bool)>) -> Option<Expr> {
-    let Expr::Integral {
-        body,
-        variable,
-        from,
-        to,
-    } = term
-    else {
-        return None;
-    };
-    let moved = |own: &Symbol| match functions.get(own) {
-        Some((argument, true)) if argument != variable => {
-            let mut limits = [from, to].into_iter();
-            limits
-                .any(|limit| limit.mentions(argument))
-                .then_some(argument)
-        }
-        _ => None,
-    };
-    let argument = body.free_symbols().iter().find_map(moved)?.clone();
-    over(term, &argument)
+    over(term, |body, variable, limits| {
+        let moved = |own: &Symbol| match functions.get(own) {
+            Some((argument, true)) if argument != variable => {
+                let is_limit = limits.iter().any(|limit| limit.mentions(argument));
+                is_limit.then_some(argument)
+            }
+            _ => None,
+        };
+        body.free_symbols().iter().find_map(moved).cloned()
+    })
 }
 
-/// An integral with its variable called otherwise; nothing where something else is called so in it.
-fn over(term: &Expr, other: &Symbol) -> Option<Expr> {
+/// An integral with its variable called otherwise, as its integrand, its variable and its limits ask for; nothing where something else is called so in it.
+fn over(
+    term: &Expr,
+    called: impl Fn(&Expr, &Symbol, [&Expr; 2]) -> Option<Symbol>,
+) -> Option<Expr> {
     let Expr::Integral {
         body,
         variable,
@@ -237,12 +230,10 @@ fn over(term: &Expr, other: &Symbol) -> Option<Expr> {
     else {
         return None;
     };
+    let other = called(body, variable, [from, to])?;
     let is_taken = |part: &Expr| {
-        let is_other = matches!(part, Expr::Symbol(own) if own == other);
-        is_other
-            || part
-                .binder()
-                .is_some_and(|own| own == other || own == variable)
+        let binds = |own: &Symbol| *own == other || own == variable;
+        matches!(part, Expr::Symbol(own) if *own == other) || part.binder().is_some_and(binds)
     };
     (!body.any(&is_taken)).then(|| Expr::Integral {
         body: body
@@ -279,21 +270,17 @@ fn integrate_over_arguments(page: &mut Page, equations: &mut [Equation]) {
 
 fn over_arguments(term: &Expr, given: &Tree<Symbol, Option<Symbol>>) -> Expr {
     let own = term.map_children(|child| over_arguments(child, given));
-    let Expr::Integral { body, variable, .. } = &own else {
-        return own;
-    };
-    let mut applied = Formula::applied_in([&**body]).into_iter();
-    let argument = applied.find_map(|name| given.get(&name)?.clone());
-    let is_there = |part: &Expr| match part {
-        Expr::Apply(name, arguments) => {
-            given.get(name).is_some() && arguments[..] == [Expr::Symbol(variable.clone())]
-        }
-        _ => false,
-    };
-    match argument.filter(|own| own != variable && body.any(&is_there)) {
-        Some(argument) => over(&own, &argument).unwrap_or(own),
-        None => own,
-    }
+    let renamed = over(&own, |body, variable, _| {
+        let here = Expr::Symbol(variable.clone());
+        let argument = |part: &Expr| match part {
+            Expr::Apply(name, arguments) if arguments[..] == [here.clone()] => {
+                given.get(name)?.clone()
+            }
+            _ => None,
+        };
+        body.first(&argument).filter(|own| own != variable)
+    });
+    renamed.unwrap_or(own)
 }
 
 /// A term without the arguments that are left out, and with values at a number as what they are: limits there, which are the values of

@@ -260,11 +260,7 @@ pub(super) fn subject(tokens: &[Placed<'_>]) -> Option<Subject> {
 fn object(sentence: &[Placed<'_>]) -> Option<Subject> {
     let comma = sentence.last().is_some_and(|(token, _)| token.is_mark(','));
     let sentence = &sentence[..sentence.len() - usize::from(comma)];
-    let names = (1..=LONGEST.min(sentence.len())).rev();
-    let (before, &(_, name, letters)) = names.into_iter().find_map(|words| {
-        let (before, named) = sentence.split_at(sentence.len() - words);
-        Some((before, name_of(named)?))
-    })?;
+    let (before, &(_, name, letters)) = names_at_the_end(sentence).next()?;
     let says = |at: usize, words: &[&str]| {
         at < before.len() && among(before, before.len() - 1 - at, words)
     };
@@ -344,10 +340,18 @@ fn name_before(before: &[Placed<'_>]) -> Option<&'static Name> {
         .split_last()
         .filter(|((token, _), _)| token.is_among(&LINKING));
     let before = linked.map_or(before, |(_, before)| before);
-    (1..=LONGEST.min(before.len())).rev().find_map(|words| {
-        let (rest, last) = before.split_at(before.len() - words);
-        let name = name_of(last)?;
-        is_of_itself(rest).then_some(name)
+    let mut names = names_at_the_end(before);
+    names.find_map(|(rest, name)| is_of_itself(rest).then_some(name))
+}
+
+/// The names that some words end in, the longest first, with what stands before each.
+fn names_at_the_end<'t, 'a>(
+    words: &'t [Placed<'a>],
+) -> impl Iterator<Item = (&'t [Placed<'a>], &'static Name)> {
+    let lengths = (1..=LONGEST.min(words.len())).rev();
+    lengths.filter_map(|length| {
+        let (rest, last) = words.split_at(words.len() - length);
+        Some((rest, name_of(last)?))
     })
 }
 

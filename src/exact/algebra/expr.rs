@@ -417,6 +417,11 @@ impl Expr {
         }
     }
 
+    /// The first that is found in a part of it.
+    pub fn first<T>(&self, find: &dyn Fn(&Expr) -> Option<T>) -> Option<T> {
+        find(self).or_else(|| self.children().find_map(|part| part.first(find)))
+    }
+
     /// Whether it is a power of a root.
     pub fn is_root(&self) -> bool {
         fn is_broken(exponent: &Expr) -> bool {

@@ -6,7 +6,7 @@ mod sign;
 use super::elements;
 use super::ideal::Ideal;
 use super::positivity;
-use super::roots::root_of;
+use super::roots::{beside_difference, root_of};
 use super::tracked::{Nonzero, Reduced, Tracked, cofactors, expand, listed};
 use crate::algebra::{Monomial, Polynomial, Rational, TooLarge, Var};
 use crate::kernel::{BoundedSeries, Cofactors, Fact, Knowledge, Lemma, Problem, Proof, Sign};
@@ -473,16 +473,7 @@ fn beside_root(goal: &Polynomial, order: u32) -> Option<Polynomial> {
     };
     let left = Polynomial::term(m.clone(), c);
     let right = Polynomial::term(n.clone(), d);
-    let mut sum = Polynomial::zero();
-    for i in 0..order {
-        let own = left
-            .pow(i)
-            .ok()?
-            .times(&right.pow(order - 1 - i).ok()?)
-            .ok()?;
-        sum = sum.plus(&own);
-    }
-    Some(sum)
+    beside_difference(&left, &right, order).ok()
 }
 
 /// What elimination gives. What it leaves may already be a multiple of the goal; no basis is needed to see that.

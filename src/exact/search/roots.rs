@@ -51,10 +51,7 @@ pub fn root_of(element: &Tracked, prover: &Prover) -> Result<Option<(Fact, Proof
         let scaled = factor.value.times(&right)?;
         let goal = left.minus(&scaled);
         // (M − k N) Σ = (M^g − c N^g) − (k^g − c) N^g
-        let mut sum = Polynomial::zero();
-        for i in 0..order {
-            sum = sum.plus(&left.pow(i)?.times(&scaled.pow(order - 1 - i)?)?);
-        }
+        let sum = beside_difference(&left, &scaled, order)?;
         let common = Polynomial::term(common, c.clone());
         let mut multiplier = element.multiplier.clone();
         for factor in [common.clone(), sum] {
@@ -83,6 +80,17 @@ pub fn root_of(element: &Tracked, prover: &Prover) -> Result<Option<(Fact, Proof
         return Ok(Some((fact, proof)));
     }
     Ok(None)
+}
+
+/// What `a − b` is multiplied by to be `a^g − b^g`: `Σ a^i b^(g−1−i)`.
+pub fn beside_difference(
+    left: &Polynomial,
+    right: &Polynomial,
+    power: u32,
+) -> Result<Polynomial, TooLarge> {
+    (0..power).try_fold(Polynomial::zero(), |sum, i| {
+        Ok(sum.plus(&left.pow(i)?.times(&right.pow(power - 1 - i)?)?))
+    })
 }
 
 fn rooted(monomial: &Monomial, order: u32) -> Polynomial {
@@ -139,10 +147,8 @@ impl NumberRoot {
             // A = t^own and B = prime: A^e − B^e = (A − B) Σ A^j B^(e−1−j), with e = exponent · order / own.
             value = value.times(&root.pow(exponent)?)?;
             let whole = exponent * common;
-            let (mut sum, above) = (Polynomial::zero(), root.pow(own)?);
-            for j in 0..whole {
-                sum = sum.plus(&above.pow(j)?.times(&prime.pow(whole - 1 - j)?)?);
-            }
+            let above = root.pow(own)?;
+            let sum = beside_difference(&above, &prime, whole)?;
             for (_, cofactor, _) in &mut facts {
                 *cofactor = cofactor.times(&prime.pow(whole)?)?;
             }

@@ -53,8 +53,8 @@ impl Judge<'_> {
         cited: &[Assumed],
         larger: Claim,
     ) -> Option<Refuted> {
-        let larger = self.pose_claim(larger).ok()?;
-        search::refute_in_context(&*self.pose(cited, &goal.formula).ok()?, &larger)
+        let claim = self.derivation.claim(self.at, cited, &goal.formula);
+        self.refuted_together(claim, larger)
     }
 
     /// The same of a claim.

@@ -116,47 +116,39 @@ impl Judge<'_> {
         by: &Claim,
         claim: &Claim,
     ) -> Vec<Symbol> {
+        let names = goal.formula.names();
+        let is_held = |own: &&Symbol| by.is_constant(own) && !claim.is_constant(own);
+        let mut held: Vec<Symbol> = names.iter().filter(is_held).cloned().collect();
+        // Most counterexamples hold nothing.
+        if held.is_empty() {
+            return held;
+        }
         let [near, _] = self.others(premises);
-        let is_said = |own: &Assumed, symbol: &Symbol, by: Option<&Symbol>| {
-            let said = own.formula.said_of();
-            said.is_some_and(|(of, term)| of == symbol && by.is_none_or(|by| term.mentions(by)))
-        };
         let is_given = |symbol: &Symbol| {
-            assumed
-                .iter()
-                .chain(near)
-                .any(|own| is_said(own, symbol, None))
+            let mut known = assumed.iter().chain(near);
+            known.any(|own| own.formula.said_of().is_some_and(|said| said.0 == symbol))
+        };
+        let is_drawn_from = |symbol: &Symbol, by: &Symbol| {
+            let mut said = assumed.iter().filter_map(|own| own.formula.said_of());
+            said.any(|(of, term)| of == symbol && term.mentions(by))
         };
         let takes_unknown = |part: &Expr| {
             let (Expr::Integral { body, variable, .. } | Expr::Limit { body, variable, .. }) = part
             else {
                 return false;
             };
-            let is_known = |own: &Symbol| {
-                assumed
-                    .iter()
-                    .any(|said| is_said(said, own, Some(variable)))
-            };
             let moves =
                 |own: &Symbol| is_given(own) || self.auditor.changes(self.at, own, variable);
-            let mut names = body
-                .free_symbols()
-                .into_iter()
-                .filter(|own| own != variable);
-            names.any(|own| moves(&own) && !is_known(&own))
+            let names = body.free_symbols();
+            let mut names = names.iter().filter(|own| *own != variable);
+            names.any(|own| moves(own) && !is_drawn_from(own, variable))
         };
         let mut terms = goal.formula.terms().into_iter();
         if terms.any(|term| term.any(&takes_unknown)) {
             return Vec::new();
         }
-        let is_held =
-            |own: &&Symbol| by.is_constant(own) && !claim.is_constant(own) && !is_given(own);
-        goal.formula
-            .names()
-            .iter()
-            .filter(is_held)
-            .cloned()
-            .collect()
+        held.retain(|own| !is_given(own));
+        held
     }
 
     /// Which side of a refuted link may be wrong, as far as its neighbours tell; nothing where it is only the left one,

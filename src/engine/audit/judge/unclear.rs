@@ -213,7 +213,7 @@ impl Judge<'_> {
             names.find(moves)
         };
         let mut terms = judged.goal.formula.terms().into_iter();
-        terms.find_map(|term| first_in(term, &moves))
+        terms.find_map(|term| term.first(&moves))
     }
 
     /// Whether a step takes slopes or integrals, and it cannot be told whether something in it changes.
@@ -282,7 +282,7 @@ pub(super) fn moves_unseen(judged: &Judged) -> Option<Expr> {
         _ => None,
     };
     let mut terms = judged.goal.formula.terms().into_iter();
-    terms.find_map(|term| first_in(term, &unseen))
+    terms.find_map(|term| term.first(&unseen))
 }
 
 /// Whether it says that a value at a place is 0, which the link before has worked out: `\dot x(0) = -A (\gamma \cos\phi + \omega \sin\phi) = 0`
@@ -328,9 +328,4 @@ fn stands_in(term: &Expr, symbol: &Symbol) -> bool {
         term if term.as_differential().is_some() => false,
         term => term.children().any(|part| stands_in(part, symbol)),
     }
-}
-
-/// The first that is found in a part of a term.
-fn first_in<T>(term: &Expr, find: &dyn Fn(&Expr) -> Option<T>) -> Option<T> {
-    find(term).or_else(|| (term.children()).find_map(|part| first_in(part, find)))
 }

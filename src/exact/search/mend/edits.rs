@@ -297,8 +297,7 @@ impl Editor<'_> {
             return;
         }
         for factor in beside_fraction(term) {
-            let other = signed(scaled(term, &factor));
-            self.found.push((Change::Coefficient, 2, other));
+            self.coefficient(before, 2, signed(scaled(term, &factor)));
         }
         for (at, (above, below)) in FACTORS.into_iter().enumerate() {
             let factor = Rational::ratio(above, below);
@@ -308,13 +307,14 @@ impl Editor<'_> {
                 .is_some_and(|own| !((own * &factor).is_integer() || own.is_one() && above == 1));
             let unlikely = [2, 6, 12].into_iter().filter(|&from| at >= from).count() as u32;
             let cost = 2 + unlikely + 2 * u32::from(broken);
-            let other = signed(scaled(term, &factor));
-            if self.found[before..]
-                .iter()
-                .all(|(.., found)| *found != other)
-            {
-                self.found.push((Change::Coefficient, cost, other));
-            }
+            self.coefficient(before, cost, signed(scaled(term, &factor)));
+        }
+    }
+
+    /// A term with another coefficient, if it is none that was found since.
+    fn coefficient(&mut self, since: usize, cost: u32, term: Expr) {
+        if self.found[since..].iter().all(|(.., found)| *found != term) {
+            self.found.push((Change::Coefficient, cost, term));
         }
     }
 
@@ -694,18 +694,12 @@ fn beside_fraction(term: &Expr) -> Vec<Rational> {
     };
     let one = Rational::one();
     let beside = |own: &Rational| {
-        let is_plain = own.is_integer() && !own.is_one();
-        let all = if is_plain {
-            vec![own - &one, own + &one]
-        } else {
-            Vec::new()
-        };
-        all.into_iter()
-            .filter(|own| !own.is_zero())
-            .collect::<Vec<Rational>>()
+        let others = (own.is_integer() && !own.is_one()).then(|| [own - &one, own + &one]);
+        let others = others.into_iter().flatten();
+        others.filter(|other| !other.is_zero())
     };
-    let over = beside(&below).into_iter().map(|other| &below / &other);
-    over.chain(beside(&above).into_iter().map(|other| &other / &above))
+    let over = beside(&below).map(|other| &below / &other);
+    over.chain(beside(&above).map(|other| &other / &above))
         .collect()
 }
 
