@@ -133,7 +133,7 @@ fn numbers_and_what_is_not_followed_do_not_move() {
         refuted(&goal().domain("x", whole), moving(at(3, 7), None, &[])),
         Err(Reject::NoCourse)
     );
-    for law in [r"y = \sqrt{x}", r"y = \sin(x)", r"y = \int_0^1 x s \, ds"] {
+    for law in [r"y = |x|", r"y = \sin(x)", r"y = \int_0^1 x s \, ds"] {
         let mut point = moving(at(1, 7), None, &[(0, "y")]);
         point.symbols.insert(symbol("y"), number(1));
         let verdict = refuted(&claim(&[law], r"\frac{dx}{dt} = 0"), point);
@@ -258,4 +258,114 @@ fn sums_of_powers_of_pi_are_not_taken_for_one() {
     let sum = claim(&[law], r"\frac{dx}{dt} = x");
     let at = moving(at(1, -1), None, &[(0, SLOPE)]);
     assert_eq!(refuted(&sum, at), Err(Reject::NoValue));
+}
+
+#[test]
+fn roots_and_functions_follow_what_moves() {
+    let root = claim(
+        &[r"\frac{dx}{dt} = -x"],
+        r"\frac{d}{dt} \sqrt{x} = \sqrt{x}",
+    );
+    let leads = [(0, SLOPE)];
+    assert_eq!(refuted(&root, moving(at(4, -4), None, &leads)), Ok(()));
+    let right = claim(
+        &[r"\frac{dx}{dt} = -x"],
+        r"\frac{d}{dt} \sqrt{x} = -\frac{1}{2} \sqrt{x}",
+    );
+    let verdict = refuted(&right, moving(at(4, -4), None, &leads));
+    assert_eq!(verdict, Err(Reject::GoalNotFalse));
+    let logarithm = claim(&[r"\frac{dx}{dt} = -x"], r"\frac{d}{dt} \ln x = 1");
+    assert_eq!(refuted(&logarithm, moving(at(1, -1), None, &leads)), Ok(()));
+    // What leads a law may be followed in it: `y = \sqrt x` lets `x` move.
+    let led = claim(&[r"y = \sqrt{x}"], r"\frac{dx}{dt} = 0");
+    let mut point = moving(at(4, 7), None, &[(0, "y")]);
+    point.symbols.insert(symbol("y"), number(2));
+    assert_eq!(refuted(&led, point), Ok(()));
+}
+
+#[test]
+fn a_root_of_nothing_is_not_followed() {
+    let root = claim(&[r"\frac{dx}{dt} = \sqrt{x} - 1"], r"\frac{dx}{dt} = 0");
+    let leads = [(0, SLOPE)];
+    assert_eq!(refuted(&root, moving(at(4, 1), None, &leads)), Ok(()));
+    let verdict = refuted(&root, moving(at(0, -1), None, &leads));
+    assert_eq!(verdict, Err(Reject::NoCourse));
+}
+
+/// `\sqrt x + x = 2` holds `x` still, and so do two laws of which one is the other's square: a matrix that took a root for an unknown of its own
+/// would be regular.
+#[test]
+fn laws_are_differentiated_through_roots() {
+    let leads = |laws: &[(usize, &str)], slope: i64| {
+        let at = point(&[("x", 1), ("y", 1)]).slope("x", "t", slope);
+        moving(at.slope("y", "t", slope), None, laws)
+    };
+    let (x, y) = (SLOPE, r"\frac{dy}{dt}");
+    let goal = r"\frac{dx}{dt} + \frac{dy}{dt} = 0";
+    for laws in [
+        [r"\sqrt{x} = y", r"x = y^2"],
+        [r"\sqrt{x} + x = y + y^2", r"x = y^2"],
+        [r"x^{\frac{3}{2}} = y^3", r"x = y^2"],
+    ] {
+        let claim = claim(&laws, goal);
+        for own in [&[(0, x), (1, y)][..], &[(0, y), (1, x)]] {
+            let verdict = refuted(&claim, leads(own, 1));
+            assert_eq!(verdict, Err(Reject::NoCourse), "{laws:?}");
+        }
+    }
+    // `u` and `w` are two unknowns, but the laws are one: `\sqrt u = w` and `u = w^2` leave both open, and say nothing twice.
+    let twice = claim(&[r"\sqrt{u} = w", "u = w^2"], r"\frac{dx}{dt} = 0");
+    let at = point(&[("x", 1), ("u", 4), ("w", 2)]).slope("x", "t", 1);
+    assert_eq!(refuted(&twice, moving(at, None, &[])), Ok(()));
+    // With `x` in both, `u` and `w` are led by them: through the root the rows of the matrix are multiples of each other.
+    let tied = claim(
+        &[r"\sqrt{u} + x = w", r"u + 2 x w - x^2 = w^2"],
+        r"\frac{dx}{dt} = 0",
+    );
+    let at = point(&[("x", 1), ("u", 4), ("w", 3)]).slope("x", "t", 1);
+    let both = moving(at.clone(), None, &[(0, "u"), (1, "w")]);
+    assert_eq!(refuted(&tied, both), Err(Reject::NoCourse));
+    let both = moving(at, None, &[(0, "w"), (1, "u")]);
+    assert_eq!(refuted(&tied, both), Err(Reject::NoCourse));
+}
+
+#[test]
+fn laws_are_differentiated_through_exponentials_and_logarithms() {
+    // At x = y = 0 the exponential of y and y + 1 have the same slope: the first two rows are alike.
+    let goal = r"\frac{dx}{dt} = 0";
+    let at = || point(&[("x", 0), ("y", 0), ("z", 1)]).slope("x", "t", 1);
+    let alike = claim(&[r"z = \exp(y) + x", r"z = 1 + y + x"], goal);
+    for leads in [[(0, "y"), (1, "z")], [(0, "z"), (1, "y")]] {
+        let verdict = refuted(&alike, moving(at(), None, &leads));
+        assert_eq!(verdict, Err(Reject::NoCourse));
+    }
+    let other = claim(&[r"z = \exp(y) + x", r"z = 1 + 2 y + x"], goal);
+    let verdict = refuted(&other, moving(at(), None, &[(0, "z"), (1, "y")]));
+    assert_eq!(verdict, Ok(()));
+    let at = || point(&[("x", 0), ("y", 1), ("z", 0)]).slope("x", "t", 1);
+    let alike = claim(&[r"z = \ln y + x", r"z = y - 1 + x"], goal);
+    let verdict = refuted(&alike, moving(at(), None, &[(0, "z"), (1, "y")]));
+    assert_eq!(verdict, Err(Reject::NoCourse));
+    let other = claim(&[r"z = 2 \ln y + x", r"z = y - 1 + x"], goal);
+    let verdict = refuted(&other, moving(at(), None, &[(0, "z"), (1, "y")]));
+    assert_eq!(verdict, Ok(()));
+}
+
+#[test]
+fn what_is_within_a_root_is_looked_at_too() {
+    let goal = r"\frac{dx}{dt} = 0";
+    for within in [r"\sqrt{1 + |x - 1|}", r"\sqrt{2 + \sin(x - 1)}"] {
+        let law = format!("y = {within}");
+        let mut point = moving(at(1, 7), None, &[(0, "y")]);
+        point.symbols.insert(symbol("y"), number(1));
+        let verdict = refuted(&claim(&[&law], goal), point);
+        assert!(verdict.is_err(), "{law}");
+    }
+    // A root of a root is one.
+    let mut point = moving(at(16, 7), None, &[(0, "y")]);
+    point.symbols.insert(symbol("y"), number(2));
+    assert_eq!(
+        refuted(&claim(&[r"y = \sqrt{\sqrt{x}}"], goal), point),
+        Ok(())
+    );
 }

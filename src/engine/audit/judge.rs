@@ -267,7 +267,9 @@ impl Judge<'_> {
             return own;
         }
         if !found.judged.outcome.is_proven()
-            && let Some(own) = self.as_no_solution(goal, premises, Some(&found.judged))
+            && let Some(own) = self
+                .as_no_solution(goal, premises, Some(&found.judged))
+                .or_else(|| self.as_no_integral_of_law(goal, premises))
         {
             return own;
         }

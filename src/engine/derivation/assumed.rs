@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::document::{Extent, Span};
+use crate::document::{Extent, Inline, Span};
 use crate::kernel::{Standing, running_in};
 use crate::notation::read_formulas;
 
@@ -204,20 +204,20 @@ impl Derivation {
     /// What the mathematics of the last sentence before an equation says, understood or not.
     pub fn written_before(&self, at: usize) -> Vec<Formula> {
         match self.equations[at].said_last {
-            Some(sentence) => self.written_from(at, sentence.start),
+            Some(sentence) => self.written_in(at, |math| math.body.start >= sentence.start),
             None => Vec::new(),
         }
     }
 
     /// What the mathematics between an equation and the display before it says, understood or not.
     pub fn written_since(&self, at: usize) -> Vec<Formula> {
-        self.written_from(at, 0)
+        self.written_in(at, |_| true)
     }
 
-    fn written_from(&self, at: usize, start: usize) -> Vec<Formula> {
+    /// The same of some of that mathematics.
+    pub fn written_in(&self, at: usize, is_meant: impl Fn(&Inline) -> bool) -> Vec<Formula> {
         let page = &self.pages[self.equations[at].page];
-        let inline = self.inline_before(at);
-        let inline = inline.filter(|math| math.body.start >= start);
+        let inline = self.inline_before(at).filter(|math| is_meant(math));
         inline.flat_map(|math| said_in(page, math.body)).collect()
     }
 

@@ -71,6 +71,7 @@ pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};
 pub use page::{Beyond, Datum, Page, Premises};
 pub use qualities::Said;
+pub(crate) use relatives::words_of;
 pub use running::Running;
 pub(crate) use slopes::TIME;
 pub use sums::sums_in;

@@ -107,11 +107,7 @@ impl Derivation {
 
     /// The words of that sentence, in small letters.
     pub fn leading_words(&self, at: usize) -> Vec<String> {
-        let said = self.leading(at).unwrap_or_default();
-        // "no-slip" denies nothing.
-        let words = said.split(|c: char| !c.is_alphabetic() && c != '-');
-        let words = words.filter(|word| !word.is_empty());
-        words.map(str::to_lowercase).collect()
+        words_of(self.leading(at).unwrap_or_default()).collect()
     }
 
     /// The text between a display and the one before it, as it is written.
@@ -130,6 +126,26 @@ impl Derivation {
         let from = before.map_or(0, |before| self.equations[before].span.end);
         let document = &self.pages[own.page].document;
         document.inline_between(from, own.span.start)
+    }
+
+    /// What is written on either side of mathematics in the text before an equation, as far as its sentence goes.
+    pub fn sentence_around(&self, at: usize, math: &Inline) -> (&str, &str) {
+        let (own, before) = (&self.equations[at], self.before_display(at));
+        let from = before.map_or(0, |before| self.equations[before].span.end);
+        let source = &self.pages[own.page].document.source;
+        let text = |from: usize, to: usize| source.get(from..to).unwrap_or_default();
+        let before = text(from, math.span.start);
+        let after = text(math.span.end, own.span.start);
+        // A point within a number, or a name, has no space after it.
+        let ends = |text: &str, at: usize| text[at + 1..].starts_with(char::is_whitespace);
+        let mut stops = before.rmatch_indices('.');
+        let start = stops.find(|&(at, _)| ends(before, at));
+        let mut stops = after.match_indices('.');
+        let end = stops.find(|&(at, _)| ends(after, at));
+        (
+            &before[start.map_or(0, |(at, _)| at + 1)..],
+            &after[..end.map_or(after.len(), |(at, _)| at)],
+        )
     }
 
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
@@ -209,4 +225,12 @@ impl Derivation {
         let before = pages.partition_point(|&page| page < own);
         pages[..before].last().copied().into_iter().collect()
     }
+}
+
+/// The words of a text, in small letters.
+pub fn words_of(text: &str) -> impl Iterator<Item = String> + '_ {
+    // "no-slip" denies nothing.
+    let words = text.split(|c: char| !c.is_alphabetic() && c != '-');
+    let words = words.filter(|word| !word.is_empty());
+    words.map(str::to_lowercase)
 }

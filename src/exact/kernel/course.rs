@@ -12,6 +12,10 @@
 //! move as any polynomial with the given derivatives. What must not be negative, or not vanish, is asked not to be 0 at the
 //! point, so that it has its sign around it.
 //!
+//! Roots, exponentials and logarithms of what moves are analytic where what they are taken of is not 0, or positive: they *follow* it, and
+//! bring no unknown along. The partial derivatives of a law are taken through them by the chain rule. What the nature of roots and functions
+//! says of them is so wherever they are defined, and no law.
+//!
 //! A law in which what it leads does not occur, `p V = c` with `dp/dV`, is taken by its slope along the way, `V dp/dV + p = 0`: it is true
 //! at the point, and where its slope is 0 all along, it stays so.
 
@@ -21,7 +25,7 @@ use super::in_pi::InPi;
 use super::witness::Point;
 use super::{Origin, Reject, Sign, Standing};
 use crate::algebra::{
-    Atom, Atoms, Expr, Polynomial, Rational, Symbol, Var, element_parts, expr_of_atom,
+    Atom, Atoms, Expr, Function, Polynomial, Rational, Symbol, Var, element_parts, expr_of_atom,
 };
 use crate::sorted::{Map, Set};
 
@@ -120,7 +124,7 @@ impl Point<'_> {
             motion.moving.insert(var);
             leads.insert(law, var);
         }
-        self.nothing_else_moves(&motion)?;
+        self.nothing_else_moves(&mut motion)?;
         let moves = |p: &Polynomial| p.vars().iter().any(|var| motion.moving.contains(var));
         let mut laws: Vec<(Cow<'_, Polynomial>, Var)> = Vec::new();
         for (fact, origin) in problem.facts.iter().zip(&problem.origins) {
@@ -134,6 +138,10 @@ impl Point<'_> {
             let standing = hypothesis
                 .and_then(|at| problem.formulas.get(at))
                 .map(|f| f.1);
+            // What roots and functions are they are all along the way.
+            if matches!(origin, Origin::Powers | Origin::Functions) {
+                continue;
+            }
             // What is said of the point alone is true there, and that is all.
             if standing == Some(Standing::AtPoint) {
                 continue;
@@ -172,8 +180,7 @@ impl Point<'_> {
         for (law, _) in laws {
             let mut row = Vec::with_capacity(laws.len());
             for &(_, lead) in laws {
-                let slope = law.derivative(lead);
-                row.push(self.number(&slope)?);
+                row.push(self.partial(law, lead)?);
             }
             matrix.push(InPi::without_common_power(&row).ok_or(Reject::NoValue)?);
         }
@@ -181,6 +188,55 @@ impl Point<'_> {
             true => Ok(()),
             false => Err(Reject::NoCourse),
         }
+    }
+
+    /// The partial derivative of a law by an unknown, through the roots and functions that follow it.
+    fn partial(&mut self, law: &Polynomial, lead: Var) -> Result<InPi, Reject> {
+        let mut whole = self.number(&law.derivative(lead))?;
+        for var in law.vars().into_iter().filter(|own| *own != lead) {
+            let Atom::Opaque(term) = self.atoms.atom(var).clone() else {
+                continue;
+            };
+            if derivative(&term).is_some() || self.stands_still(&term) {
+                continue;
+            }
+            let Some(of) = follows(&term) else {
+                let by = expr_of_atom(self.atoms.atom(lead)).free_symbols();
+                if term.free_symbols().iter().any(|own| by.contains(own)) {
+                    return Err(Reject::NoCourse);
+                }
+                continue;
+            };
+            let of = self.lowered(of)?;
+            let (above, below) = (of.numerator().clone(), of.expanded_denominator()?);
+            let (over, under) = (self.partial(&above, lead)?, self.partial(&below, lead)?);
+            if over.is_zero() && under.is_zero() {
+                continue;
+            }
+            let by = self.number(&law.derivative(var))?;
+            let rational = |own: InPi| own.as_rational().ok_or(Reject::NoCourse);
+            let (over, under) = (rational(over)?, rational(under)?);
+            let above = rational(self.number(&above)?)?;
+            let below = rational(self.number(&below)?)?;
+            let value = rational(self.number(&Polynomial::var(var))?)?;
+            if below.is_zero() || above.is_zero() && !is_exponential(&term) {
+                return Err(Reject::NoCourse);
+            }
+            // (n/d)' = n'/d − n d'/d²
+            let slope = over / below.clone() - &above * &under / (&below * &below);
+            let rate = match &term {
+                Expr::Power(_, exponent) => match &**exponent {
+                    Expr::Number(exponent) => {
+                        slope * below / above * Rational::from(exponent) * value
+                    }
+                    _ => return Err(Reject::NoCourse),
+                },
+                term if is_exponential(term) => slope * value,
+                _ => slope * below / above,
+            };
+            whole = whole.plus(&by.scaled(&rate));
+        }
+        Ok(whole)
     }
 
     /// The variable and what is differentiated by it.
@@ -228,26 +284,62 @@ impl Point<'_> {
         !element && !number && !fixed && !self.problem.is_count(symbol)
     }
 
-    /// Whether no root, function, sum or integral speaks of what moves: these are not followed.
-    fn nothing_else_moves(&self, motion: &Motion) -> Result<(), Reject> {
-        for (var, atom) in self.atoms.iter() {
-            let follows = match atom {
+    /// Whether no sum or integral speaks of what moves: these are not followed. Roots and functions are, where they are analytic.
+    fn nothing_else_moves(&mut self, motion: &mut Motion) -> Result<(), Reject> {
+        // What is within roots and functions joins the unknowns as they are looked at.
+        let mut looked_at = 0;
+        loop {
+            let next = self.atoms.iter().nth(looked_at);
+            let Some((var, atom)) = next.map(|(var, atom)| (var, atom.clone())) else {
+                return Ok(());
+            };
+            looked_at += 1;
+            let stays = |symbol: &Symbol| {
+                let own = self.atoms.find(&Atom::Symbol(symbol.clone()));
+                *symbol != motion.variable
+                    && !motion.orders.contains_key(symbol)
+                    && own.is_none_or(|own| !motion.moving.contains(&own))
+            };
+            let is_settled = match &atom {
                 Atom::Symbol(_) => true,
                 Atom::Opaque(term) if derivative(term).is_some() || self.stands_still(term) => true,
-                Atom::Opaque(term) => term.free_symbols().into_iter().all(|symbol| {
-                    let own = self.atoms.find(&Atom::Symbol(symbol.clone()));
-                    symbol != motion.variable
-                        && !motion.orders.contains_key(&symbol)
-                        && own.is_none_or(|own| !motion.moving.contains(&own))
-                }),
+                Atom::Opaque(term) => term.free_symbols().iter().all(stays),
                 _ => false,
             };
-            if !follows && !motion.moving.contains(&var) {
-                return Err(Reject::NoCourse);
+            if is_settled || motion.moving.contains(&var) {
+                continue;
+            }
+            match &atom {
+                Atom::Opaque(term) if self.is_analytic(term)? => {
+                    motion.moving.insert(var);
+                }
+                _ => return Err(Reject::NoCourse),
             }
         }
-        Ok(())
     }
+
+    /// Whether a root, an exponential or a logarithm is analytic around the point: what it is taken of is positive there.
+    fn is_analytic(&mut self, term: &Expr) -> Result<bool, Reject> {
+        let Some(of) = follows(term) else {
+            return Ok(false);
+        };
+        let value = self.lowered(of)?;
+        let value = self.fraction(&value)?.ok_or(Reject::NoCourse)?;
+        Ok(value.is_positive() || is_exponential(term))
+    }
+}
+
+/// What a root, an exponential or a logarithm is taken of.
+fn follows(term: &Expr) -> Option<&Expr> {
+    match term {
+        Expr::Power(base, exponent) if matches!(**exponent, Expr::Number(_)) => Some(base),
+        Expr::Call(Function::Exp | Function::Ln, of) => Some(of),
+        _ => None,
+    }
+}
+
+fn is_exponential(term: &Expr) -> bool {
+    matches!(term, Expr::Call(Function::Exp, _))
 }
 
 /// Whether a square matrix can be inverted.

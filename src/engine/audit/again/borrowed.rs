@@ -88,6 +88,18 @@ impl Judge<'_> {
         entries.any(|entry| entry.verdict == Verdict::Undecided)
     }
 
+    /// Whether all that an equation before says was shown.
+    pub(super) fn is_shown(&self, other: usize) -> bool {
+        let mut entries = self.auditor.entries_of(self.at, other);
+        other < self.at && entries.all(|entry| entry.verdict == Verdict::Holds)
+    }
+
+    /// Whether an equation before is given in all that it says.
+    pub(super) fn is_given(&self, other: usize) -> bool {
+        let mut entries = self.auditor.entries_of(self.at, other);
+        other < self.at && entries.all(|entry| entry.verdict == Verdict::Given)
+    }
+
     /// What is cited and does not fail: what does can stand in the way of what follows.
     pub(in crate::audit) fn sound(&self, assumed: &[Assumed], failing: &[usize]) -> Vec<Assumed> {
         let fails = |a: &Assumed| matches!(a.source, Source::Equation(p) if failing.contains(&p));

@@ -2,7 +2,8 @@
 //! "whereas equal work needs".
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source, first_goal, formulas, renamed};
+use crate::derivation::{Assumed, Goal, Source, first_goal, formulas, renamed, words_of};
+use crate::document::Inline;
 use crate::sorted::Map;
 
 use super::super::judge::{Found, Judge, step};
@@ -38,13 +39,32 @@ const BY_HOW_MUCH: [&str; 3] = ["to", "by", "from"];
 const CONSERVED: &str = "conserved";
 const CONSERVABLE: [&str; 5] = ["energy", "angular momentum", "momentum", "charge", "mass"];
 /// With one of these it may take back what it writes, or say what something else is said to say.
-const DENYING: [&str; 11] = [
-    "not", "no", "never", "nor", "neither", "without", "unless", "unlike", "contrast", "than",
-    "from",
+const DENYING: [&str; 13] = [
+    "not",
+    "no",
+    "never",
+    "nor",
+    "neither",
+    "without",
+    "unless",
+    "unlike",
+    "contrast",
+    "than",
+    "different",
+    "differs",
+    "far",
+];
+/// What is written before one of these is of a case that is over.
+const GENERAL: [&str; 7] = [
+    "general",
+    "generally",
+    "otherwise",
+    "arbitrary",
+    "any",
+    "all",
+    "every",
 ];
 const INDUCTION: [&str; 1] = ["induction"];
-/// With one of these a step draws on what was written in sentences before.
-const COMPARING: [&str; 5] = ["comparing", "compare", "equating", "combining", "matching"];
 /// So many equations in the text before are looked at.
 const MOST_WRITTEN: usize = 4;
 /// So many premises are tried one by one with what is written.
@@ -162,18 +182,40 @@ impl Judge<'_> {
         assumed: &[Assumed],
         found: &mut Found,
     ) {
-        if !found.judged.outcome.is_refuted() || self.says(&DENYING) {
+        if !found.judged.outcome.is_refuted() {
             return;
         }
-        // "Equation (7) solved for the pressure drop is $p = 32 \mu L U/D^2$. Comparing with (8) we get"
-        let mut written = match self.says(&COMPARING) {
-            true => self.derivation.written_since(self.at),
-            false => self.derivation.written_before(self.at),
+        let denies = |text: &str| words_of(text).any(|word| DENYING.contains(&&*word));
+        // "Substituting $V = w + 2 v$ from (2)" says of (2) what can be seen there.
+        let is_read_off = |after: &str| words_of(after).next().is_some_and(|own| own == "from");
+        let source = &self.derivation.pages[self.derivation.equations[self.at].page]
+            .document
+            .source;
+        let end = self.derivation.equations[self.at].span.start;
+        // "The target stands still only if $w = 0$. In general"
+        let is_left = |math: &Inline| {
+            let after = source.get(math.span.end..end).unwrap_or_default();
+            words_of(after).any(|word| GENERAL.contains(&&*word))
         };
+        let is_so = |math: &Inline| {
+            let (before, after) = self.derivation.sentence_around(self.at, math);
+            !denies(before) && !denies(after) && !is_read_off(after) && !is_left(math)
+        };
+        // "Equation (7) solved for the pressure drop is $p = 32 \mu L U/D^2$. Comparing with (8) we get"
+        let mut written = self.derivation.written_in(self.at, is_so);
         // The nearest are meant first.
         written.reverse();
         let is_known = |own: &Formula| assumed.iter().any(|known| *known.formula == *own);
         let names = goal.formula.names();
+        // "We need $m N \ge 987$. In second order $N \ge 987/2$" is drawn from that, with more than is written.
+        let is_bound = |own: &Formula| own.as_equation().is_none() && !is_known(own);
+        let mut bounds = written.iter().filter(|own| is_bound(own));
+        if is_bound_by_number(&goal.formula)
+            && bounds.any(|own| *own != goal.formula && !own.names().is_disjoint(&names))
+        {
+            found.leave_open(super::NAMED);
+            return;
+        }
         // What is put in is gone, and what is so at a place says nothing of slopes.
         let is_put = |own: &Formula| {
             let set = own.set_to_number();
@@ -181,6 +223,14 @@ impl Judge<'_> {
         };
         written.retain(|own| own.as_equation().is_some() && is_put(own));
         written.retain(|own| !is_known(own) && *own != goal.formula);
+        // "$f = 3$ for monatomic and $f = 5$ for diatomic gases": neither.
+        let all = written.clone();
+        let is_rival =
+            |own: &Formula, other: &Formula| match (own.as_equation(), other.as_equation()) {
+                (Some((left, right)), Some((of, value))) => left == of && right != value,
+                _ => false,
+            };
+        written.retain(|own| !all.iter().any(|other| is_rival(own, other)));
         written.truncate(MOST_WRITTEN);
         let follows = |words: &[Formula]| {
             let words: Vec<Assumed> = words.iter().map(step).collect();
@@ -280,4 +330,16 @@ fn collect(term: &Expr, symbols: &mut Vec<Symbol>) {
         symbols.push(symbol.clone());
     }
     term.children().for_each(|part| collect(part, symbols));
+}
+
+/// Whether a formula bounds something by a number: `N \ge 987/2`.
+fn is_bound_by_number(formula: &Formula) -> bool {
+    let [left, right] = formula.terms()[..] else {
+        return false;
+    };
+    let is_number = |term: &Expr| {
+        let is_nought = *term == Expr::integer(0);
+        term.is_arithmetic() && term.free_symbols().is_empty() && !is_nought
+    };
+    formula.as_equation().is_none() && is_number(left) != is_number(right)
 }

@@ -20,6 +20,7 @@ mod determined;
 mod driven;
 pub(super) mod expanded;
 mod going_on;
+mod implicit;
 mod in_words;
 mod joined;
 pub(super) mod limiting;

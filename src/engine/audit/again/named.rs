@@ -14,6 +14,9 @@ use super::super::judge::{Found, Judge, NEARBY, taken};
 use super::there::{join, whole};
 use crate::sorted::Set;
 
+/// So much that words say is held against one another.
+const MOST_SAID: usize = 6;
+
 impl Judge<'_> {
     /// What a step may be taken from, with what the words before it name, and tell in passing; nothing where they name nothing, or what
     /// cannot be so.
@@ -185,14 +188,41 @@ impl Judge<'_> {
         let Some(decision) = self.decide_from(all, &goal.formula) else {
             return true;
         };
+        let mut all = all.to_vec();
+        let decision = match decision {
+            Decision::Open(_) if self.leave_out_what_follows(&mut all) => {
+                self.decide_from(&all, &goal.formula)
+            }
+            decision => Some(decision),
+        };
         match decision {
-            Decision::Refuted(refuted) if !speaks_of_elements(all, goal) => {
+            Some(Decision::Refuted(refuted)) if !speaks_of_elements(&all, goal) => {
                 found.judged.outcome = Outcome::Refuted(refuted.into());
-                found.judged.assumed = all.to_vec();
+                found.judged.assumed = all;
                 true
             }
             _ => false,
         }
+    }
+
+    /// Leaves out one of what words say that follows from the rest of it, and stands in the way of a point: "when $\cos x = -1$, that is
+    /// $x = \pi$". Gives whether there is one.
+    fn leave_out_what_follows(&self, all: &mut Vec<Assumed>) -> bool {
+        let is_said = |own: &Assumed| matches!(own.source, Source::Local(..));
+        let said: Vec<Assumed> = all.iter().filter(|own| is_said(own)).cloned().collect();
+        let follows = |own: &&Assumed| {
+            let rest: Vec<Assumed> = said.iter().filter(|other| other != own).cloned().collect();
+            let decision = self.decide_from(&rest, &own.formula);
+            matches!(decision, Some(Decision::Proven { .. }))
+        };
+        let followed = (2..=MOST_SAID)
+            .contains(&said.len())
+            .then(|| said.iter().find(follows));
+        let Some(followed) = followed.flatten() else {
+            return false;
+        };
+        all.retain(|own| own != followed);
+        true
     }
 }
 

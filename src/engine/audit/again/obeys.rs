@@ -213,7 +213,7 @@ impl Judge<'_> {
     }
 
     /// Whether words lead on to a step as to what solves something.
-    fn is_led_to_as_solution(&self) -> bool {
+    pub(super) fn is_led_to_as_solution(&self) -> bool {
         self.says(&SOLVING) || self.says(&INTEGRATING)
     }
 
@@ -466,6 +466,12 @@ impl Judge<'_> {
             let before: Vec<usize> = self.derivation.display_before(self.at).collect();
             told.extend(self.gathered(&before));
         }
+        // What another solution comes to is no condition: "At the end $w(L) = F L^3/3 E I$. For a line load instead".
+        let is_drawn = |other: usize| self.derivation.equations[other].drawn;
+        told.retain(|said| match said.source {
+            Source::Equation(other) => self.is_given(other) || !is_drawn(other),
+            _ => true,
+        });
         told.into_iter().find_map(|said| {
             let there = value_there(&said)?;
             let Decision::Refuted(refuted) = self.decide_of(own, own.circumstances(), &there)?
@@ -547,7 +553,7 @@ fn standing_in_slopes<'a>(formulas: impl Iterator<Item = &'a Formula>) -> Set<Sy
 }
 
 /// How often what a formula speaks of is differentiated at most: a law of the first order has no solution that speaks of a slope.
-fn order(formula: &Formula) -> usize {
+pub(super) fn order(formula: &Formula) -> usize {
     fn of(term: &Expr) -> usize {
         let within = term.children().map(of).max().unwrap_or_default();
         within + usize::from(matches!(term, Expr::Derivative { .. }))
@@ -568,7 +574,7 @@ fn with_numbers_put_in<'a>(law: &Formula, said: impl Iterator<Item = &'a Assumed
 }
 
 /// What some of these say that symbols among some mean, by what does not change: `\ell = D/v`. What they are made of joins the symbols.
-fn meant<'a>(
+pub(super) fn meant<'a>(
     said: impl Iterator<Item = &'a Assumed>,
     symbols: &mut Set<Symbol>,
     (of, variable): (&Symbol, &Symbol),
@@ -586,7 +592,7 @@ fn meant<'a>(
 
 /// Whether an equation says how a slope goes with what varies, `\frac{du}{dr} = -\frac{r g}{2 \mu}`: that is of more than one place, also where it
 /// was drawn from what words say.
-fn speaks_of_course(law: &Formula, of: &Symbol, variable: &Symbol) -> bool {
+pub(super) fn speaks_of_course(law: &Formula, of: &Symbol, variable: &Symbol) -> bool {
     fn moves(term: &Expr, of: &Symbol, variable: &Symbol) -> bool {
         match term {
             Expr::Derivative { .. } | Expr::Partial { .. } | Expr::Limit { .. } => false,
@@ -611,7 +617,7 @@ fn raised(given: &Expr) -> Option<&Symbol> {
 }
 
 /// What a law speaks of, and the symbols that some equations give by that: of `\tau = u/g` and `\dot v = g - k v^2` none, as `u` may be chosen.
-fn fixed_by(law: &Formula, given: &[Assumed]) -> Set<Symbol> {
+pub(super) fn fixed_by(law: &Formula, given: &[Assumed]) -> Set<Symbol> {
     let mut fixed = law.names();
     loop {
         let before = fixed.len();

@@ -4,10 +4,10 @@
 //! What comes to a number is not refuted as if they were not there: either with them, or not at all.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, formulas};
+use crate::derivation::{Assumed, Goal, Source, formulas};
 use crate::document::{Item, Span};
 use crate::notation::{Statement, has_decimals, plain_symbol, read_formulas};
-use crate::search::Decision;
+use crate::search::{self, Decision};
 use crate::sorted::Set;
 
 use super::super::Outcome;
@@ -86,6 +86,77 @@ impl Judge<'_> {
                 "it follows with the numbers that stand before for {}, and nothing says that these are still meant",
                 names(&far)
             ));
+        }
+    }
+
+    /// Leaves open what puts figures into a law for something of which no value is told: "A probe fired sideways at $0.60 c$ has
+    /// $$u_y = \frac{0.60 c}{1.155}$$" after `u_y = u_y'/\gamma`.
+    pub(in crate::audit) fn heed_figures_for_what_has_no_value(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        let Some((Expr::Symbol(of), right)) = goal.formula.as_equation() else {
+            return;
+        };
+        let is_put_in = has_decimals(right) && !is_number(right);
+        if !found.judged.outcome.is_refuted() || found.mended.is_some() || !is_put_in {
+            return;
+        }
+        let names = goal.formula.names();
+        let is_told = |own: &Symbol| {
+            let mut all = assumed.iter();
+            names.contains(own)
+                || all.any(|said| said.is_of(own) || said.formula.set_to_number() == Some(own))
+        };
+        let mut laws = assumed.iter().filter(|own| own.is_of(of));
+        let unknown =
+            laws.find_map(|law| law.formula.names().into_iter().find(|own| !is_told(own)));
+        if let Some(unknown) = unknown {
+            let unknown = plain_symbol(&unknown);
+            found.leave_open(format!("nothing before says how great `{unknown}` is"));
+        }
+    }
+
+    /// A premise that says what something is of which the text tells a number after it, where nothing is refuted without that: "The best
+    /// index is by (7) $1.23$, but no solid has one so low. With $n_1 = 1.38$".
+    pub(in crate::audit) fn heed_values_replaced(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        let comes_to_number = valued(&goal.formula).is_some_and(|(_, right)| is_number(right));
+        if !found.judged.outcome.is_refuted() || !comes_to_number {
+            return;
+        }
+        let is_told = |symbol: &Symbol| {
+            let mut said = assumed
+                .iter()
+                .filter(|own| matches!(own.source, Source::Local(..)));
+            said.any(|own| {
+                valued(&own.formula).is_some_and(|(of, value)| of == symbol && is_number(value))
+            })
+        };
+        let names = goal.formula.names();
+        let is_replaced = |own: &Assumed| {
+            let valued = valued(&own.formula).filter(|_| own.formula.names().is_disjoint(&names));
+            matches!(own.source, Source::Equation(_))
+                && valued.is_some_and(|(of, value)| !is_number(value) && is_told(of))
+        };
+        let (replaced, kept): (Vec<Assumed>, Vec<Assumed>) =
+            assumed.iter().cloned().partition(is_replaced);
+        if replaced.is_empty() {
+            return;
+        }
+        let posed = self.pose(&kept, &goal.formula).ok();
+        let implied = posed.and_then(|posed| search::implied(&posed));
+        let value = implied
+            .as_ref()
+            .and_then(|own| own.proven.claim().goal.as_equation());
+        if !value.is_some_and(|(_, value)| is_number(value)) {
+            found.leave_open("a number is told for what a premise gives by other quantities");
         }
     }
 

@@ -3,7 +3,7 @@
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
 use crate::kernel::Standing;
-use crate::search::Decision;
+use crate::search::{Change, Decision};
 use crate::sorted::Set;
 
 use super::super::Outcome;
@@ -119,13 +119,22 @@ impl Judge<'_> {
             let is_used = chain.any(|link| link.formula.names().contains(own));
             goes_on && !is_used && !left.contains(own) && found.mended.is_none() && is_new(own)
         };
+        // "In the field of gravity we get $m \dot v = F - m g$" after `m \dot v = F`: no slip of the pen brings a summand with a letter of
+        // its own.
+        let is_summand_more = |own: &Symbol| {
+            let mended = found.mended.as_deref();
+            mended.is_some_and(|mended| {
+                let kept = &mended.proven.claim().goal;
+                mended.change == Change::Summand && !kept.names().contains(own)
+            })
+        };
         let mut silent = left.union(&right).filter(is_silent);
         if is_integral()
             || silent.any(|own| {
                 is_general(own)
                     || is_loose(own)
                     || is_last_word(own)
-                    || is_new(own) && (is_said_beside(own) || is_named(own))
+                    || is_new(own) && (is_said_beside(own) || is_named(own) || is_summand_more(own))
             })
         {
             found.leave_open(UNSAID);

@@ -79,16 +79,17 @@ impl Judge<'_> {
         // Two cases at once say nothing.
         assumed.retain(|own| !self.is_of_case_before(own));
         // The name may say what it is that is solved for: `\omega_0`.
-        let by_name = whole(new);
+        let by_name = self.whole_of(new);
         let is_by_name = set.is_empty();
         let gone = match set.is_empty() {
             true => by_name
+                .clone()
                 .filter(|own| self.is_drawn_from(own, &assumed))
                 .into_iter()
                 .collect(),
             false => {
                 let gone = gone(set, &named, new, &assumed);
-                let named_so = by_name.filter(|own| gone.contains(own));
+                let named_so = by_name.clone().filter(|own| gone.contains(own));
                 named_so.map_or(gone, |own| vec![own])
             }
         };
@@ -149,7 +150,6 @@ impl Judge<'_> {
             return None;
         }
         // What a display says plainly and nobody cites keeps its letter: the `v` after `\Delta K = …` at $e = 0$ is no `\Delta K`.
-        let by_name = whole(new);
         let plainly = |unknown: &Symbol| {
             let mut laws = assumed.iter().filter(|own| is_displayed(own));
             !self.names_its_premises()

@@ -6,7 +6,7 @@
 //! new symbol, `v_a^2 = g a`, may follow from a law for the quantity without the index.
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::derivation::{Assumed, Goal, Source, goals};
 use crate::document::Span;
 use crate::kernel::Standing;
 use crate::search::{Decision, Effort};
@@ -45,7 +45,8 @@ impl Judge<'_> {
         let (new, named) = self.defined_anew(goal)?;
         let cited = self.cited(goal, &[], premises);
         let words = self.said_of_the_place(Side::Both);
-        let quantity = whole(new).filter(|own| !named.contains(own));
+        let quantity = self.whole_of(new);
+        let quantity = quantity.filter(|own| !named.contains(own));
         let asked = Asked {
             new,
             named: &named,
@@ -70,6 +71,19 @@ impl Judge<'_> {
             may_fail = MayFail::Never;
         }
         self.judged_there(goal, assumed, premises, &asked, may_fail)
+    }
+
+    /// What a symbol may name a special value of, unless a chain that says what it is goes on to speak of that:
+    /// `V_C = I_0/(\omega_0 C) = Q V`.
+    pub(super) fn whole_of(&self, symbol: &Symbol) -> Option<Symbol> {
+        let statements = self.derivation.equations[self.at].statements();
+        let mut chains = statements.iter().map(goals).filter(|chain| {
+            let first = chain.first();
+            first.is_some_and(|own| own.is_of(symbol))
+        });
+        let whole = whole(symbol)?;
+        let speaks = |own: &Goal| own.formula.names().contains(&whole);
+        (!chains.any(|chain| chain.iter().any(speaks))).then_some(whole)
     }
 
     /// A new symbol that stands alone on the left, or a power of it, and what its value is made of, unless that is a number.

@@ -154,6 +154,9 @@ impl Dimensions {
         let Source::Equation(equation) = rows[at].source else {
             return;
         };
+        if rows[at].names_anew(derivation, equation, rows, &scope) {
+            return;
+        }
         // What is at fault is read last: then it disagrees with the others.
         let mut inference = Inference::default();
         for (other, row) in rows.iter().enumerate() {
@@ -183,6 +186,43 @@ impl Row {
                 *formula = formula.map_terms(|term| with_rates(term, time));
             }
         }
+    }
+
+    /// Whether a chain gives a letter of which only another section speaks to something else, for all but the letter agrees: `Q` is a
+    /// charge, and then $$Q = \frac{\omega_0}{\Delta\omega} = \frac{1}{R} \sqrt{\frac{L}{C}}$$ the quality of a circuit.
+    fn names_anew(
+        &self,
+        derivation: &Derivation,
+        equation: usize,
+        rows: &[Row],
+        scope: &Arc<Scope>,
+    ) -> bool {
+        let [Formula::Relation { left, .. }, rest @ ..] = &self.formulas[..] else {
+            return false;
+        };
+        let Expr::Symbol(letter) = left else {
+            return false;
+        };
+        let section = derivation.section_start(equation);
+        let is_before = |own: &Source| match *own {
+            Source::Local(page, at) => {
+                let start = derivation.equations[section].span.start;
+                derivation.local(page, at).span.start < start
+            }
+            Source::Equation(other) => other < section || other == equation,
+            _ => true,
+        };
+        let speaks = |row: &&Row| row.formulas.iter().any(|own| own.names().contains(letter));
+        if rest.is_empty() || !rows.iter().filter(speaks).all(|row| is_before(&row.source)) {
+            return false;
+        }
+        let mut inference = Inference::default();
+        let others = rows.iter().filter(|row| !std::ptr::eq(*row, self));
+        let mut agrees = |formulas: &[Formula]| {
+            let readings = readings(scope, formulas.to_vec());
+            inference.read(&readings, &(), self.is_crossed).is_ok()
+        };
+        others.into_iter().all(|row| agrees(&row.formulas)) && agrees(rest)
     }
 
     /// Reads it on top of what is known.

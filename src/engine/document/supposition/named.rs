@@ -205,8 +205,22 @@ fn sets_scene(sentence: &[Placed<'_>]) -> bool {
     first.is_some_and(|token| token.is_among(&SCENES))
 }
 
-/// Whether a sentence sets what stands at a place as a case: "For $c = -1$ nothing is left", "It is back when $y = 0$".
+/// Whether a sentence sets what stands at a place as a case: "For $c = -1$ nothing is left", "It is back when $y = 0$", "It is least when
+/// $\cos x = -1$, that is $x = \pi$".
 fn is_under(body: Span, sentence: &[Placed<'_>]) -> bool {
     let at = sentence.partition_point(|(_, span)| span.end <= body.start);
-    follows(at, sentence, &SETTING)
+    let rest = said_before(at, sentence);
+    follows(at, sentence, &SETTING) || rest.is_some_and(|said| follows(said, sentence, &SETTING))
+}
+
+/// The mathematics that what stands at a place says again: "$\cos x = -1$, that is, $x = \pi$".
+fn said_before(at: usize, sentence: &[Placed<'_>]) -> Option<usize> {
+    let is_comma = |token: &Placed<'_>| token.0 == Token::Mark(',');
+    let mut before = (0..at).rev().filter(|&at| !is_comma(&sentence[at]));
+    let mut next = || before.next();
+    let is = |at: usize, word: &str| sentence[at].0.is_among(&[word]);
+    let (is_so, that) = (next()?, next()?);
+    let said = next()?;
+    let is_math = matches!(sentence[said].0, Token::Math(_));
+    (is(is_so, "is") && is(that, "that") && is_math).then_some(said)
 }
