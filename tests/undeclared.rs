@@ -1118,3 +1118,31 @@ fn a_root_is_not_borrowed() {
     assert_eq!(damped(r"\frac{k}{m} - \frac{b^2}{4 m^2}"), "holds");
     assert_eq!(damped(r"\frac{b^2}{4 m^2} - \frac{k}{m}"), "fails");
 }
+
+/// Rows that have no number of their own are steps, one after another.
+#[test]
+fn rows_without_numbers_are_steps() {
+    let judged = |rows: &str, environment: &str| {
+        let text = format!(
+            "The mass decays: $M c^2 = E + p c$, thus\n\\begin{{{environment}}}\n{rows}\n\\end{{{environment}}}\n"
+        );
+        let derivation = Derivation::new(Document::latex("rows.tex", text.as_str(), &()));
+        let entries = Audit::of(&derivation).entries;
+        entries
+            .iter()
+            .map(|own| own.verdict.word())
+            .collect::<Vec<_>>()
+    };
+    let rows = |value: &str, notag: &str| {
+        format!(
+            "(M c^2 - E)^2 &= p^2 c^2 = E^2 - m^2 c^4 {notag} \\\\\nE &= \\frac{{M^2 + m^2}}{{{value}}} c^2"
+        )
+    };
+    for (environment, notag) in [("align*", ""), ("align", "\\notag"), ("gather*", "")] {
+        assert_eq!(judged(&rows("2 M", notag), environment), ["given", "holds"]);
+        assert_eq!(judged(&rows("M", notag), environment), ["given", "fails"]);
+    }
+    // What goes on with a row is no step of its own.
+    let chain = "a &= (b + c)^2 \\\\\n&= b^2 + 2 b c + c^2";
+    assert_eq!(judged(chain, "align*").len(), 1);
+}

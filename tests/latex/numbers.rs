@@ -347,6 +347,6 @@ fn a_row_may_count_on_by_a_command_of_the_authors() {
 \[ c = d \eqn \] \begin{equation} e = f \end{equation}\end{document}";
     assert_eq!(
         equations(&read(source)),
-        ["1: a = b | b = c", "2: c = d", "3: e = f"]
+        ["-: a = b", "1: b = c", "2: c = d", "3: e = f"]
     );
 }

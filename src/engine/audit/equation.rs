@@ -139,7 +139,8 @@ impl Auditor<'_> {
                 None => {
                     let found = self.step(statement, &how);
                     let found = self.heed_what_is_unsaid(statement, &how, found);
-                    self.look_for_slip(statement, &how, found)
+                    let found = self.look_for_slip(statement, &how, found);
+                    self.look_for_slip_in_identity(statement, &how, found)
                 }
             };
             if entry.numeric.is_none() {

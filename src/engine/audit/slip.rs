@@ -4,6 +4,7 @@
 //! much is judged as what is printed was. What is shown so is said, and that what is printed is false: at a point, by the kernel.
 
 mod beside;
+mod identity;
 mod samples;
 
 use std::cell::LazyCell;

@@ -1,8 +1,8 @@
 //! Displays to equations: one display has as many as it has numbers.
 //!
 //! In `align` every row has a number of its own. Rows that go on with the one before, `= c` after `a = b`, are read
-//! together with it and then taken apart again: the second says `b = c`, and goes on with the first. A row without a number
-//! belongs to the next that has one.
+//! together with it and then taken apart again: the second says `b = c`, and goes on with the first. Of these, a row without a number
+//! belongs to the next that has one. Rows that say something of their own are steps, though none of them, or only the last, has a number.
 
 use crate::algebra::{Expr, Formula, Relation};
 use crate::document::{Item, Layout, Row, Span};
@@ -127,15 +127,39 @@ fn of_layout(source: &str, body: Span, layout: &Layout, context: &Context) -> Ve
             });
         }
     }
+    if numbers < 2 && !are_steps(&units) {
+        return vec![whole(units, &layout.rows, body)];
+    }
     let mut parts = Vec::new();
+    for unit in units {
+        parts.extend(of_unit(unit, &layout.rows));
+    }
     if numbers < 2 {
-        parts.push(whole(units, &layout.rows, body));
-    } else {
-        for unit in units {
-            parts.extend(of_unit(unit, &layout.rows));
-        }
+        share_number(&mut parts);
     }
     parts
+}
+
+/// Whether rows with one number, or none, say one thing after another.
+fn are_steps(units: &[Unit]) -> bool {
+    let says = |unit: &Unit| {
+        let said = unit.statements.as_ref();
+        said.is_ok_and(|said| !said.is_empty()) && unit.typed.is_none()
+    };
+    units.len() > 1 && units.iter().all(says)
+}
+
+/// The one number of a display is that of all its rows, and so are its keys.
+fn share_number(parts: &mut [Part]) {
+    let has_name = |part: &Part| part.tag.is_some() || !part.keys.is_empty();
+    let Some(named) = parts.iter().position(has_name) else {
+        return;
+    };
+    let tag = parts[named].tag.iter().map(|tag| format!("({tag})"));
+    let keys = parts[named].keys.iter().map(|key| format!("{{{key}}}"));
+    let group: Vec<String> = tag.chain(keys).collect();
+    let others = parts.iter_mut().enumerate().filter(|(at, _)| *at != named);
+    others.for_each(|(_, part)| part.group.extend(group.iter().cloned()));
 }
 
 /// What a display says several times of one side, each time of another range, is said under these: `f = a, \qquad x < 0` above
