@@ -125,7 +125,7 @@ impl Report<'_> {
         let others = judged.assumed.iter().filter_map(|a| match a.source {
             Source::Equation(premise) => Some(self.equation(premise).page),
             Source::Local(page, _) => Some(page),
-            Source::Step | Source::Taken | Source::Propagation => None,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => None,
         });
         let mut pages = std::iter::once(own).chain(others);
         pages.find_map(|at| {

@@ -242,6 +242,7 @@ impl Report<'_> {
             Source::Step => "shown or supposed in the same statement".into(),
             Source::Taken => "taken so, as it is meant".into(),
             Source::Propagation => words::PROPAGATION.into(),
+            Source::Nature => words::NATURE.into(),
         }
     }
 }

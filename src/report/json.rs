@@ -374,7 +374,7 @@ impl Report<'_> {
                 Source::Local(page, at) => {
                     self.place_of(page, self.derivation.local(page, at).span)
                 }
-                Source::Step | Source::Taken | Source::Propagation => continue,
+                Source::Step | Source::Taken | Source::Propagation | Source::Nature => continue,
             };
             if *origin != conflict.origins[0] && !disagrees_with.contains(&label) {
                 disagrees_with.push(label);

@@ -238,7 +238,7 @@ impl Report<'_> {
                 let put = self.equation(at);
                 !put.moments.is_empty() && !put.moments.clone().any(|at| own.is_under(put.page, at))
             }
-            Source::Step | Source::Taken | Source::Propagation => false,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => false,
         };
         let premises = entry
             .premises

@@ -150,6 +150,7 @@ impl Report<'_> {
             Some(Source::Step) => "the step before".into(),
             Some(Source::Taken) => "taken so".into(),
             Some(Source::Propagation) => words::PROPAGATION.into(),
+            Some(Source::Nature) => words::NATURE.into(),
             None => "a hypothesis".into(),
         }
     }

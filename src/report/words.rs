@@ -12,6 +12,8 @@ use super::Report;
 
 /// What the law of propagation is called wherever something was taken from it.
 pub(super) const PROPAGATION: &str = "the law of propagation of uncertainty";
+/// What constants of nature have to do with one another is called this.
+pub(super) const NATURE: &str = "known of constants of nature";
 
 impl<'a> Report<'a> {
     pub(super) fn equation(&self, at: usize) -> &'a Equation {
@@ -97,6 +99,7 @@ impl<'a> Report<'a> {
             Source::Step => "the step before".into(),
             Source::Taken => "taken so".into(),
             Source::Propagation => PROPAGATION.into(),
+            Source::Nature => NATURE.into(),
         }
     }
 

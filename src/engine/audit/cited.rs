@@ -48,7 +48,7 @@ impl Auditor<'_> {
                     || is_put && put.page == own.page
             }
             Source::Local(page, local) => own.is_under(page, local),
-            Source::Step | Source::Taken | Source::Propagation => true,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => true,
         };
         let is_used = |premise: &usize| used.contains(&Source::Equation(*premise));
         let uses_all = premises.iter().all(is_used) || used.iter().any(|s| self.is_told(at, s));

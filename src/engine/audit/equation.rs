@@ -11,7 +11,8 @@ use super::entry::blank;
 use super::premise::{Usable, usable};
 use super::readings::Circumstances;
 use super::{
-    Auditor, Entry, Judged, MOST_WORK, Note, Outcome, Verdict, domain, identity, judge, stated,
+    Auditor, Entry, Judged, MOST_WORK, Note, Outcome, Verdict, domain, identity, judge, nature,
+    stated,
 };
 
 /// So many displays of moments that are left may stand between a step and what it goes on from.
@@ -99,6 +100,10 @@ impl Auditor<'_> {
         let offer = |premise| self.offer(at, premise);
         let mut usable = usable(self.derivation, offer, at, &premises);
         usable.assumed.extend(self.explained_after(at));
+        let spoken = usable.assumed.iter().flat_map(|own| own.formula.names());
+        let spoken: Set<Symbol> = equation.symbols().into_iter().chain(spoken).collect();
+        let of_nature = nature::relations(&spoken, &usable.assumed);
+        usable.assumed.extend(of_nature);
         let mut entries = Vec::new();
         // Where a formula is meant is said beside it.
         let domains = match equation.numeric {

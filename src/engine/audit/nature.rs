@@ -4,8 +4,11 @@
 
 use num_traits::Pow;
 
-use crate::algebra::{BigRational, Dimension, Symbol};
+use crate::algebra::{BigRational, Dimension, Expr, Formula, Symbol};
+use crate::derivation::{Assumed, Source};
 use crate::dimension::named;
+use crate::kernel::Standing;
+use crate::sorted::Set;
 
 /// A constant.
 pub(super) struct Constant {
@@ -105,4 +108,60 @@ impl Constant {
         let ten = BigRational::from_integer(10.into());
         Some(BigRational::from_integer(digits.into()) * Pow::pow(ten, self.tens - places))
     }
+}
+
+/// What the constants that some symbols stand for have to do with one another, and that they are positive; nothing where what is assumed says
+/// that itself, or gives figures for one of them, which are rounded.
+///
+/// `c^2 = \frac{1}{\varepsilon_0 \mu_0}`, `\hbar = \frac{h}{2 \pi}`.
+pub(super) fn relations(names: &Set<Symbol>, assumed: &[Assumed]) -> Vec<Assumed> {
+    let one = |letters: &[&str]| {
+        let mut letters = letters.iter().map(|own| Symbol::new(*own));
+        letters.find(|own| names.contains(own))
+    };
+    let symbol = |own: &Symbol| Expr::Symbol(own.clone());
+    let quotient = |over: Expr, under: [Expr; 2]| {
+        Expr::Quotient(over.into(), Expr::Product(under.into()).into())
+    };
+    let light = || {
+        let c = one(&["c", "c_0"])?;
+        let electric = one(&["\\varepsilon_0", "\\epsilon_0"])?;
+        let magnetic = one(&["\\mu_0"])?;
+        let square = Expr::Power(symbol(&c).into(), Expr::integer(2).into());
+        let other = quotient(Expr::integer(1), [symbol(&electric), symbol(&magnetic)]);
+        Some((Formula::equal(square, other), vec![c, electric, magnetic]))
+    };
+    let action = || {
+        let (reduced, whole) = (one(&["\\hbar"])?, one(&["h"])?);
+        let other = quotient(symbol(&whole), [Expr::integer(2), Expr::symbol("\\pi")]);
+        Some((
+            Formula::equal(symbol(&reduced), other),
+            vec![reduced, whole],
+        ))
+    };
+    let is_known = |symbols: &[Symbol]| {
+        let of_figures =
+            |own: &Formula| own.set_to_number().is_some_and(|set| symbols.contains(set));
+        let says_all = |own: &Formula| {
+            let names = own.names();
+            symbols.iter().all(|symbol| names.contains(symbol))
+        };
+        assumed
+            .iter()
+            .any(|own| of_figures(&own.formula) || says_all(&own.formula))
+    };
+    let relations = [light(), action()].into_iter().flatten();
+    let relations = relations.filter(|(_, symbols)| !is_known(symbols));
+    let said = relations.flat_map(|(relation, symbols)| {
+        let positive = symbols
+            .into_iter()
+            .map(|own| Formula::positive(Expr::Symbol(own)));
+        [relation].into_iter().chain(positive)
+    });
+    let known = |formula: Formula| Assumed {
+        formula: formula.into(),
+        standing: Standing::Identity,
+        source: Source::Nature,
+    };
+    said.map(known).collect()
 }

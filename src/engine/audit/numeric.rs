@@ -140,7 +140,7 @@ fn weigh_rounded(
         let page = match assumed.source {
             Source::Equation(premise) => derivation.equations[premise].page,
             Source::Local(page, _) => page,
-            Source::Step | Source::Taken | Source::Propagation => own,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => own,
         };
         if !pages.contains(&page) {
             pages.push(page);
@@ -543,7 +543,7 @@ impl Known<'_> {
                 let goal = equation.statements().iter().flat_map(goals).find(is_own)?;
                 Some((equation.page, equation.body, goal))
             }
-            Source::Step | Source::Taken | Source::Propagation => None,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => None,
         }
     }
 }

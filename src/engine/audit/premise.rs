@@ -143,7 +143,7 @@ impl Offer {
                             let inherited = offers(premise);
                             offer.under.extend(inherited.iter().flat_map(|o| &o.under));
                         }
-                        Source::Step | Source::Taken | Source::Propagation => {}
+                        Source::Step | Source::Taken | Source::Propagation | Source::Nature => {}
                     }
                 }
             }
@@ -190,7 +190,7 @@ fn throughout<'a>(
     }
     let fine = |running: &&Running| {
         let said = |assumed: &Assumed| match assumed.source {
-            Source::Step | Source::Taken | Source::Propagation => {
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => {
                 !running.ties(&assumed.formula) || entry.judged.len() > 1
             }
             Source::Local(..) => !running.ties(&assumed.formula),

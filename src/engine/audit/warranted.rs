@@ -14,13 +14,13 @@ use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
 use crate::document::Span;
 use crate::notation::{Statement, has_units, plain_formula, read_expr};
-use crate::search::{self, Decision};
+use crate::search::{self, Decision, Mended};
 use crate::sorted::Set;
 
 use super::entry::{Entry, leave_open};
 use super::readings::Circumstances;
 use super::stated::quantities;
-use super::{Auditor, Judged, Outcome, Verdict, judge, numeric};
+use super::{Auditor, Judged, Note, Outcome, Verdict, judge, numeric};
 
 /// How much work may be done to see whether a bound is wrong for positive numbers, too.
 const MOST_WORK: u64 = 2_000_000;
@@ -35,6 +35,15 @@ impl Auditor<'_> {
         how: &Circumstances,
         mut entry: Entry,
     ) -> Entry {
+        if self.is_open_for_what_is_unread(how, &entry)
+            && self.may_leave_unsaid(statement, how, &entry)
+            && let Some((before, mended)) = self.slip_in(statement, how, &entry)
+        {
+            entry.verdict = Verdict::Fails;
+            let is_unread = |own: &Note| matches!(own, Note::UnreadablePremise(_));
+            entry.notes.retain(|own| !is_unread(own));
+            return slipped(entry, before, mended);
+        }
         let by_laws = (entry.refuted()).is_some_and(|(own, _)| may_follow_from_laws(own));
         if entry.verdict != Verdict::Fails
             || !by_laws && !self.may_leave_unsaid(statement, how, &entry)
@@ -56,19 +65,26 @@ impl Auditor<'_> {
         }
         let slip = || self.slip_in(statement, how, &entry);
         match is_first.then(slip).flatten() {
-            Some((before, mended)) => {
-                for (own, edited) in entry.judged.iter_mut().zip(before) {
-                    *own = edited;
-                }
-                (entry.mended, entry.implied) = (Some(Box::new(mended)), None);
-                entry.missing.clear();
-            }
+            Some((before, mended)) => slipped(entry, before, mended),
             None => {
                 let reason = unsaid(&entry);
                 leave_open(&mut entry, &reason);
+                entry
             }
         }
-        entry
+    }
+
+    /// Whether something was refuted, and is left open only for a premise that could not be read. What is one slip away from what follows says
+    /// no more than that.
+    fn is_open_for_what_is_unread(&self, how: &Circumstances, entry: &Entry) -> bool {
+        let usable = how.usable;
+        entry.verdict == Verdict::Undecided
+            && entry.refuted().is_some()
+            && entry.mended.is_none()
+            && !usable.unreadable.is_empty()
+            && usable.later.is_empty()
+            && usable.in_limit.is_empty()
+            && self.derivation.equations[how.at].unread.is_empty()
     }
 
     /// Whether the text is one that may leave something unsaid: no directive says what follows from what.
@@ -198,6 +214,16 @@ impl Auditor<'_> {
             _ => false,
         }
     }
+}
+
+/// A step that is one slip away from what follows, with what is found of the links before that.
+fn slipped(mut entry: Entry, before: Vec<Judged>, mended: Mended) -> Entry {
+    for (own, edited) in entry.judged.iter_mut().zip(before) {
+        *own = edited;
+    }
+    (entry.mended, entry.implied) = (Some(Box::new(mended)), None);
+    entry.missing.clear();
+    entry
 }
 
 /// Whether what is near to a link is only a bound under what is supposed besides: with enough of that any bound is so.

@@ -51,12 +51,17 @@ pub enum Source {
     Taken,
     /// The law of propagation of uncertainty, where words speak of uncertainties.
     Propagation,
+    /// What constants of nature have to do with one another: `c^2 = \frac{1}{\varepsilon_0 \mu_0}`.
+    Nature,
 }
 
 impl Source {
     /// Whether it comes from nowhere else in the text.
     pub fn is_of_statement(self) -> bool {
-        matches!(self, Source::Step | Source::Taken | Source::Propagation)
+        matches!(
+            self,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature
+        )
     }
 }
 

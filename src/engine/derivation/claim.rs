@@ -66,7 +66,7 @@ impl Derivation {
         let others = assumed.iter().filter_map(|a| match a.source {
             Source::Equation(premise) => Some(self.equations[premise].page),
             Source::Local(page, _) => Some(page),
-            Source::Step | Source::Taken | Source::Propagation => None,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => None,
         });
         let mut pages: Vec<usize> = Vec::with_capacity(assumed.len() + 1);
         pages.push(own);

@@ -15,7 +15,7 @@ use super::super::Report;
 use super::super::dimension::{called, change_of_units, columns, missing_factor};
 use super::super::implied;
 use super::super::scaling;
-use super::super::words::{PROPAGATION, list, symbol};
+use super::super::words::{NATURE, PROPAGATION, list, symbol};
 use super::differing::{Thing, compared, in_order, place, things};
 use super::{Finding, replay};
 
@@ -236,6 +236,7 @@ impl Report<'_> {
             Source::Step => "the step before".into(),
             Source::Taken => "taken so".into(),
             Source::Propagation => PROPAGATION.into(),
+            Source::Nature => NATURE.into(),
         }
     }
 

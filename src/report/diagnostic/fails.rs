@@ -146,6 +146,7 @@ impl Report<'_> {
                 Source::Taken if judged.solution() == Some(assumed) => "it says".into(),
                 Source::Taken => "taken so".into(),
                 Source::Propagation => words::PROPAGATION.into(),
+                Source::Nature => words::NATURE.into(),
             };
             lines.push(format!("{from}: {}", plain_formula(&assumed.formula)));
         }

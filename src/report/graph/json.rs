@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::super::Report;
-use super::super::words::PROPAGATION;
+use super::super::words::{NATURE, PROPAGATION};
 use super::{Graph, Node};
 use crate::derivation::Source;
 
@@ -90,6 +90,7 @@ impl Graph {
             Source::Step => "the step before".into(),
             Source::Taken => "taken so".into(),
             Source::Propagation => PROPAGATION.into(),
+            Source::Nature => NATURE.into(),
         };
         NodeView {
             id: node.id.clone(),

@@ -5,7 +5,7 @@ use crate::derivation::Source;
 use crate::kernel::{Claim, Proven, Refuted};
 use crate::notation::{escape, latex_statement};
 use crate::report::evidence::Point;
-use crate::report::words::PROPAGATION;
+use crate::report::words::{NATURE, PROPAGATION};
 use crate::report::{explain, family, implied, scaling, uncoloured};
 
 use super::{Page, words};
@@ -151,6 +151,7 @@ impl Page<'_> {
                 Source::Step => "the same statement".into(),
                 Source::Taken => "taken so".into(),
                 Source::Propagation => PROPAGATION.into(),
+                Source::Nature => NATURE.into(),
             };
             let formula = words::formula(&assumed.formula);
             items.push(format!(

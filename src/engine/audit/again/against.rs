@@ -30,7 +30,7 @@ impl Judge<'_> {
         let near = |a: &Assumed| match a.source {
             Source::Equation(other) => self.derivation.equations[other].page == page,
             Source::Local(other, _) => other == page,
-            Source::Step | Source::Taken | Source::Propagation => true,
+            Source::Step | Source::Taken | Source::Propagation | Source::Nature => true,
         };
         let [sound, _] = self.others(premises);
         let sound = sound.iter().filter(|own| near(own)).cloned();
