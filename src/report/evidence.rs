@@ -149,6 +149,7 @@ impl<'a> Point<'a> {
     /// on the page.
     pub fn sides_judged(&self, judged: &Judged) -> Option<(Exact, Exact)> {
         let is_printed = judged.solution().is_none() && !judged.is_expanded();
+        let is_printed = is_printed && !judged.is_of_change();
         is_printed.then(|| self.sides(&judged.goal.formula))?
     }
 

@@ -32,6 +32,22 @@ fn what_stands_in_an_integral_is_tied_to_nothing_that_runs() {
     assert_eq!(refuted(&here, at()), Ok(()));
 }
 
+/// A law that is turned back where it stands, `4 \sqrt D - D` at its most, or says nothing of what it would lead, `D - |D|`, lets nothing run on.
+#[test]
+fn what_a_root_or_an_absolute_value_takes_back_is_not_led() {
+    let judged = |law: &str, lead: i64| {
+        let at = point(&[("C", 1), ("U", 1), ("q", 1), ("W", 2), ("D", lead)]);
+        refuted(&charged(law, "W = 3 U"), at)
+    };
+    assert_eq!(judged(r"4 \sqrt{D} - D + q = 5", 4), Err(Reject::NoCourse));
+    assert_eq!(judged(r"4 \sqrt{D} - D + q = 4", 1), Ok(()));
+    let turned = r"2 \sqrt{\frac{1}{D}} + D + q = 4";
+    assert_eq!(judged(turned, 1), Err(Reject::NoCourse));
+    assert_eq!(judged(r"2 \sqrt{\frac{1}{D}} + 2 D + q = 5", 1), Ok(()));
+    assert_eq!(judged("D - |D| + q = 1", 1), Err(Reject::NoCourse));
+    assert_eq!(judged("D - |U| + q = 1", 1), Ok(()));
+}
+
 #[test]
 fn what_does_not_stand_there_may_keep_up() {
     let at = |others: &[(&str, i64)]| {

@@ -1,4 +1,4 @@
-use crate::algebra::{Formula, Symbol};
+use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
 use crate::kernel::{HoldsForEvery, Model, Proven, Refuted, Scales, ScalesNot, Standing};
@@ -100,6 +100,19 @@ impl Judged {
     /// Whether it is an approximation that was judged by the series of its sides: those are compared, and not what is printed.
     pub fn is_expanded(&self) -> bool {
         is_of_expansion(&self.goal.formula)
+    }
+
+    /// Whether how its sides change was judged, and not what is printed: both are differentiated by the same.
+    pub fn is_of_change(&self) -> bool {
+        match self.goal.formula.as_equation() {
+            Some((
+                Expr::Derivative { variable, .. },
+                Expr::Derivative {
+                    variable: other, ..
+                },
+            )) => variable == other,
+            _ => false,
+        }
     }
 
     /// Whether it was judged from the law of propagation of uncertainty.

@@ -2,11 +2,11 @@ use std::sync::Arc;
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{
-    Approach, Assumed, Beyond, Derivation, Kind, Local, Page, Running, Source, conditions,
-    formulas, is_open,
+    Approach, Assumed, Beyond, Derivation, Goal, Kind, Local, Page, Running, Source, conditions,
+    formulas, goals, is_open,
 };
 use crate::kernel::Standing;
-use crate::notation::{Connective, Mark};
+use crate::notation::{Connective, Mark, Statement};
 
 use super::{Entry, Note, Outcome, Verdict};
 use crate::sorted::Set;
@@ -112,7 +112,10 @@ impl Offer {
                     }
                 }
                 if proven || !(crossed || judged.goal.questioned) {
-                    let own = judged.goal.formula.clone().into();
+                    let own = match judged.outcome.is_refuted() && judged.is_of_change() {
+                        true => printed(statement, &judged.goal).into(),
+                        false => judged.goal.formula.clone().into(),
+                    };
                     if statement.under.is_empty() {
                         let position = offer.formulas.len();
                         let all = throughout(derivation, at, entry, &offers).into_iter();
@@ -494,4 +497,12 @@ pub(in crate::audit) fn ends_of_chains<'a>(
         };
     }
     found
+}
+
+/// What a statement says where it was refuted how its sides change.
+fn printed(statement: &Statement, refuted: &Goal) -> Formula {
+    let printed = goals(statement);
+    let mut printed = printed.into_iter();
+    let own = printed.find(|own| own.clause == refuted.clause && own.sides == refuted.sides);
+    own.map_or_else(|| refuted.formula.clone(), |own| own.formula)
 }

@@ -13,8 +13,7 @@
 //! point, so that it has its sign around it.
 //!
 //! Roots, exponentials and logarithms of what moves are analytic where what they are taken of is not 0, or positive: they *follow* it, and
-//! bring no unknown along. The partial derivatives of a law are taken through them by the chain rule. What the nature of roots and functions
-//! says of them is so wherever they are defined, and no law.
+//! bring no unknown along. The partial derivatives of a law are taken through them by the chain rule.
 //!
 //! A law in which what it leads does not occur, `p V = c` with `dp/dV`, is taken by its slope along the way, `V dp/dV + p = 0`: it is true
 //! at the point, and where its slope is 0 all along, it stays so.
@@ -138,10 +137,6 @@ impl Point<'_> {
             let standing = hypothesis
                 .and_then(|at| problem.formulas.get(at))
                 .map(|f| f.1);
-            // What roots and functions are they are all along the way.
-            if matches!(origin, Origin::Powers | Origin::Functions) {
-                continue;
-            }
             // What is said of the point alone is true there, and that is all.
             if standing == Some(Standing::AtPoint) {
                 continue;
@@ -193,7 +188,7 @@ impl Point<'_> {
     /// The partial derivative of a law by an unknown, through the roots and functions that follow it.
     fn partial(&mut self, law: &Polynomial, lead: Var) -> Result<InPi, Reject> {
         let mut whole = self.number(&law.derivative(lead))?;
-        for var in law.vars().into_iter().filter(|own| *own != lead) {
+        for var in law.vars() {
             let Atom::Opaque(term) = self.atoms.atom(var).clone() else {
                 continue;
             };
@@ -224,17 +219,15 @@ impl Point<'_> {
             }
             // (n/d)' = n'/d − n d'/d²
             let slope = over / below.clone() - &above * &under / (&below * &below);
-            let rate = match &term {
+            let follows = match &term {
                 Expr::Power(_, exponent) => match &**exponent {
-                    Expr::Number(exponent) => {
-                        slope * below / above * Rational::from(exponent) * value
-                    }
+                    Expr::Number(exponent) => below / above * Rational::from(exponent) * value,
                     _ => return Err(Reject::NoCourse),
                 },
-                term if is_exponential(term) => slope * value,
-                _ => slope * below / above,
+                Expr::Call(Function::Exp, _) => value,
+                _ => below / above,
             };
-            whole = whole.plus(&by.scaled(&rate));
+            whole = whole.plus(&by.scaled(&(slope * follows)));
         }
         Ok(whole)
     }

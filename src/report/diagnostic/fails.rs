@@ -41,6 +41,9 @@ impl Report<'_> {
                 (what, "does not obey what it solves".to_owned())
             }
             _ if judged.is_expanded() => (right, "has another series".to_owned()),
+            _ if judged.is_of_change() => {
+                (right, "changes otherwise than the left side".to_owned())
+            }
             _ => (judged.goal.span, "is false at the point below".to_owned()),
         };
         let fault = match judged.solution() {

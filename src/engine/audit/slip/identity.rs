@@ -7,7 +7,7 @@ use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal};
 use crate::kernel::Claim;
 use crate::notation::{Statement, has_decimals};
-use crate::search::{self, Change, Decision, Effort, Mended};
+use crate::search::{self, Change, Decision, Edit, Effort, Mended};
 use crate::sorted::Set;
 
 use super::super::entry::Entry;
@@ -99,7 +99,9 @@ impl Auditor<'_> {
         let witness = Some(refuted.witness());
         let slips = slips(statement, &entry.judged, goal, &bare, witness).and_rarer();
         let plain = slips.filter(|edit| is_plain(&edit.change)).take(MOST_TRIED);
-        let mut shown = plain.filter_map(|edit| {
+        // What a link comes to is wrong sooner than what it begins with.
+        let (later, first): (Vec<Edit>, Vec<Edit>) = plain.partition(|edit| edit.left_kept);
+        let mut shown = later.into_iter().chain(first).filter_map(|edit| {
             let claim = claim(&positive, &edit.formula);
             let derived = search::prove_unconditionally(claim, Effort::Light)?;
             Some(Mended {
