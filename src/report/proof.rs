@@ -147,10 +147,7 @@ impl Report<'_> {
         match source {
             Some(Source::Equation(at)) => format!("premise {}", self.name(at)),
             Some(source @ Source::Local(..)) => format!("supposed: {}", self.source(&source)),
-            Some(Source::Step) => "the step before".into(),
-            Some(Source::Taken) => "taken so".into(),
-            Some(Source::Propagation) => words::PROPAGATION.into(),
-            Some(Source::Nature) => words::NATURE.into(),
+            Some(of_no_place) => words::unplaced(of_no_place).into(),
             None => "a hypothesis".into(),
         }
     }

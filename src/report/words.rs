@@ -15,6 +15,17 @@ pub(super) const PROPAGATION: &str = "the law of propagation of uncertainty";
 /// What constants of nature have to do with one another is called this.
 pub(super) const NATURE: &str = "known of constants of nature";
 
+/// What a hypothesis is called that stands nowhere else in the text.
+pub(super) fn unplaced(source: Source) -> &'static str {
+    match source {
+        Source::Step => "the step before",
+        Source::Taken => "taken so",
+        Source::Propagation => PROPAGATION,
+        Source::Nature => NATURE,
+        Source::Equation(_) | Source::Local(..) => "a hypothesis",
+    }
+}
+
 impl<'a> Report<'a> {
     pub(super) fn equation(&self, at: usize) -> &'a Equation {
         &self.derivation.equations[at]
@@ -96,10 +107,7 @@ impl<'a> Report<'a> {
                 let said: Vec<String> = local.formulas.iter().map(|f| plain_formula(f)).collect();
                 format!("`{}` ({})", said.join(", "), self.line_of(page, local.span))
             }
-            Source::Step => "the step before".into(),
-            Source::Taken => "taken so".into(),
-            Source::Propagation => PROPAGATION.into(),
-            Source::Nature => NATURE.into(),
+            of_no_place => unplaced(of_no_place).into(),
         }
     }
 

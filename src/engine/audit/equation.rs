@@ -100,9 +100,8 @@ impl Auditor<'_> {
         let offer = |premise| self.offer(at, premise);
         let mut usable = usable(self.derivation, offer, at, &premises);
         usable.assumed.extend(self.explained_after(at));
-        let spoken = usable.assumed.iter().flat_map(|own| own.formula.names());
-        let spoken: Set<Symbol> = equation.symbols().into_iter().chain(spoken).collect();
-        let of_nature = nature::relations(&spoken, &usable.assumed);
+        let stated = equation.symbols();
+        let of_nature = nature::relations(&stated, &usable.assumed);
         usable.assumed.extend(of_nature);
         let mut entries = Vec::new();
         // Where a formula is meant is said beside it.

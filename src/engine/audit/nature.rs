@@ -110,23 +110,26 @@ impl Constant {
     }
 }
 
-/// What the constants that some symbols stand for have to do with one another, and that they are positive; nothing where what is assumed says
-/// that itself, or gives figures for one of them, which are rounded.
+/// What the constants of which a step and what it is to follow from speak have to do with one another, and that they are positive; nothing where
+/// what is assumed says that itself, or gives figures for one of them, which are rounded.
 ///
 /// `c^2 = \frac{1}{\varepsilon_0 \mu_0}`, `\hbar = \frac{h}{2 \pi}`.
-pub(super) fn relations(names: &Set<Symbol>, assumed: &[Assumed]) -> Vec<Assumed> {
+pub(super) fn relations(stated: &Set<Symbol>, assumed: &[Assumed]) -> Vec<Assumed> {
     let one = |letters: &[&str]| {
         let mut letters = letters.iter().map(|own| Symbol::new(*own));
-        letters.find(|own| names.contains(own))
+        letters.find(|symbol| {
+            let mut terms = assumed.iter().flat_map(|own| own.formula.terms());
+            stated.contains(symbol) || terms.any(|term| term.mentions(symbol))
+        })
     };
     let symbol = |own: &Symbol| Expr::Symbol(own.clone());
     let quotient = |over: Expr, under: [Expr; 2]| {
         Expr::Quotient(over.into(), Expr::Product(under.into()).into())
     };
     let light = || {
-        let c = one(&["c", "c_0"])?;
-        let electric = one(&["\\varepsilon_0", "\\epsilon_0"])?;
         let magnetic = one(&["\\mu_0"])?;
+        let electric = one(&["\\varepsilon_0", "\\epsilon_0"])?;
+        let c = one(&["c", "c_0"])?;
         let square = Expr::Power(symbol(&c).into(), Expr::integer(2).into());
         let other = quotient(Expr::integer(1), [symbol(&electric), symbol(&magnetic)]);
         Some((Formula::equal(square, other), vec![c, electric, magnetic]))

@@ -148,6 +148,23 @@ impl Derivation {
         )
     }
 
+    /// Where the last of some words ends in the text before an equation, and 0 where there is none.
+    pub fn last_word_before(&self, at: usize, words: &[&str]) -> usize {
+        let text = self.text_before(at);
+        let mut last = 0;
+        let mut begins = 0;
+        while let Some(word) = text[begins..].find(is_of_word) {
+            let start = begins + word;
+            let length = text[start..].find(|c| !is_of_word(c));
+            begins = length.map_or(text.len(), |length| start + length);
+            let word = &text[start..begins];
+            if words.iter().any(|own| own.eq_ignore_ascii_case(word)) {
+                last = self.equations[at].span.start - text.len() + begins;
+            }
+        }
+        last
+    }
+
     /// The equations before `at` that share symbols with it, where these were spoken of last: the two nearest, then those that are solved for a
     /// symbol, then the rest, each the nearest first.
     pub fn relatives(&self, at: usize, most: usize) -> Vec<usize> {
@@ -229,8 +246,12 @@ impl Derivation {
 
 /// The words of a text, in small letters.
 pub fn words_of(text: &str) -> impl Iterator<Item = String> + '_ {
-    // "no-slip" denies nothing.
-    let words = text.split(|c: char| !c.is_alphabetic() && c != '-');
+    let words = text.split(|c| !is_of_word(c));
     let words = words.filter(|word| !word.is_empty());
     words.map(str::to_lowercase)
+}
+
+/// "no-slip" denies nothing.
+fn is_of_word(c: char) -> bool {
+    c.is_alphabetic() || c == '-'
 }

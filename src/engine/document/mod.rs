@@ -34,7 +34,7 @@ mod span;
 mod supposition;
 mod tables;
 mod words;
-pub(crate) use supposition::{is_everywhere, is_reason, is_tried};
+pub(crate) use supposition::{GENERAL, is_everywhere, is_reason, is_tried};
 
 use std::sync::Arc;
 

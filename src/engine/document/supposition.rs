@@ -52,6 +52,7 @@ use super::words::Words;
 use super::{Span, Supposition, SuppositionKind, conclusion};
 
 pub(super) use self::mathematics::{relates, stated};
+pub use self::named::GENERAL;
 pub use self::reason::{is_everywhere, is_reason, is_tried};
 
 /// The suppositions in prose, in order, and the values that it names besides.

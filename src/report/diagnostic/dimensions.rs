@@ -15,7 +15,7 @@ use super::super::Report;
 use super::super::dimension::{called, change_of_units, columns, missing_factor};
 use super::super::implied;
 use super::super::scaling;
-use super::super::words::{NATURE, PROPAGATION, list, symbol};
+use super::super::words::{list, symbol, unplaced};
 use super::differing::{Thing, compared, in_order, place, things};
 use super::{Finding, replay};
 
@@ -233,10 +233,7 @@ impl Report<'_> {
                 "supposed at {}",
                 self.place_of(page, self.derivation.local(page, at).span)
             ),
-            Source::Step => "the step before".into(),
-            Source::Taken => "taken so".into(),
-            Source::Propagation => PROPAGATION.into(),
-            Source::Nature => NATURE.into(),
+            of_no_place => unplaced(of_no_place).into(),
         }
     }
 

@@ -145,11 +145,8 @@ impl Report<'_> {
             let from = match assumed.source {
                 Source::Equation(at) => self.name(at),
                 Source::Local(..) => "supposed".into(),
-                Source::Step => "the step before".into(),
                 Source::Taken if judged.solution() == Some(assumed) => "it says".into(),
-                Source::Taken => "taken so".into(),
-                Source::Propagation => words::PROPAGATION.into(),
-                Source::Nature => words::NATURE.into(),
+                of_no_place => words::unplaced(of_no_place).into(),
             };
             lines.push(format!("{from}: {}", plain_formula(&assumed.formula)));
         }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::super::Report;
-use super::super::words::{NATURE, PROPAGATION};
+use super::super::words::unplaced;
 use super::{Graph, Node};
 use crate::derivation::Source;
 
@@ -87,10 +87,7 @@ impl Graph {
             Source::Local(page, at) => {
                 report.place_of(page, report.derivation.local(page, at).span)
             }
-            Source::Step => "the step before".into(),
-            Source::Taken => "taken so".into(),
-            Source::Propagation => PROPAGATION.into(),
-            Source::Nature => NATURE.into(),
+            of_no_place => unplaced(of_no_place).into(),
         };
         NodeView {
             id: node.id.clone(),

@@ -5,7 +5,7 @@ use crate::derivation::Source;
 use crate::kernel::{Claim, Proven, Refuted};
 use crate::notation::{escape, latex_statement};
 use crate::report::evidence::Point;
-use crate::report::words::{NATURE, PROPAGATION};
+use crate::report::words::unplaced;
 use crate::report::{explain, family, implied, scaling, uncoloured};
 
 use super::{Page, words};
@@ -149,9 +149,7 @@ impl Page<'_> {
                     format!("{how}, {}", escape(&self.report.place_of(page, local.span)))
                 }
                 Source::Step => "the same statement".into(),
-                Source::Taken => "taken so".into(),
-                Source::Propagation => PROPAGATION.into(),
-                Source::Nature => NATURE.into(),
+                of_no_place => unplaced(of_no_place).into(),
             };
             let formula = words::formula(&assumed.formula);
             items.push(format!(

@@ -96,11 +96,8 @@ impl Judge<'_> {
         let positive = constants.iter().map(positive);
         let assumed: Vec<Assumed> = [given].into_iter().chain(positive).collect();
         let claim = |assumed: &[Assumed], formula: &Formula| {
-            let mut claim = self.derivation.claim(self.at, assumed, formula);
-            for own in &constants {
-                claim.domains.entry(own.clone()).or_default().constant = true;
-            }
-            claim
+            let claim = self.derivation.claim(self.at, assumed, formula);
+            search::with_constants(claim, constants.iter().cloned())
         };
         let formula = Formula::equal(slope.clone(), of.clone());
         let own = claim(&assumed, &formula);
@@ -138,12 +135,7 @@ impl Judge<'_> {
             let begins = Formula::equal(at_nought(near), at_nought(value));
             let begins_so = shown(&begins).is_some();
             if mended.is_none() || begins_so {
-                mended = Some(Mended {
-                    proven: derived.proven,
-                    change: edit.change,
-                    next: None,
-                    under: Vec::new(),
-                });
+                mended = Some(Mended::of(derived.proven, edit.change));
             }
             if begins_so {
                 break;

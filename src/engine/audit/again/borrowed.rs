@@ -88,16 +88,10 @@ impl Judge<'_> {
         entries.any(|entry| entry.verdict == Verdict::Undecided)
     }
 
-    /// Whether all that an equation before says was shown.
-    pub(super) fn is_shown(&self, other: usize) -> bool {
+    /// Whether an equation before has a verdict in all that it says.
+    pub(super) fn is_all(&self, verdict: Verdict, other: usize) -> bool {
         let mut entries = self.auditor.entries_of(self.at, other);
-        other < self.at && entries.all(|entry| entry.verdict == Verdict::Holds)
-    }
-
-    /// Whether an equation before is given in all that it says.
-    pub(super) fn is_given(&self, other: usize) -> bool {
-        let mut entries = self.auditor.entries_of(self.at, other);
-        other < self.at && entries.all(|entry| entry.verdict == Verdict::Given)
+        other < self.at && entries.all(|entry| entry.verdict == verdict)
     }
 
     /// What is cited and does not fail: what does can stand in the way of what follows.

@@ -73,13 +73,10 @@ impl Judge<'_> {
             return None;
         }
         let claim = |assumed: &[Assumed], formula: &Formula| {
-            let mut claim = self.derivation.claim(self.at, assumed, formula);
-            for own in formula.free_symbols().union(&constants) {
-                if own != of && own != variable {
-                    claim.domains.entry(own.clone()).or_default().constant = true;
-                }
-            }
-            claim
+            let mut held = formula.free_symbols();
+            held.extend(constants.iter().cloned());
+            held.retain(|own| own != of && own != variable);
+            search::with_constants(self.derivation.claim(self.at, assumed, formula), held)
         };
         let positive = |own: &Symbol| taken(&Formula::positive(Expr::Symbol(own.clone())));
         let along = constants.iter().chain([of, variable]);
@@ -101,8 +98,7 @@ impl Judge<'_> {
             };
             own.terms().iter().any(depends)
         };
-        let mut loose = constants.iter().filter(|&own| !fixed.contains(own));
-        if loose.any(is_free) {
+        if constants.difference(&fixed).any(is_free) {
             return None;
         }
         let assumed: Vec<Assumed> = [law.clone()]
@@ -122,13 +118,7 @@ impl Judge<'_> {
         let (mended, near) = slips.take(MOST_EDITS).find_map(|edit| {
             let near = changes_alike(&edit.formula)?;
             let derived = search::prove_unconditionally(claim(&assumed, &near), Effort::Full)?;
-            let mended = Mended {
-                proven: derived.proven,
-                change: edit.change,
-                next: None,
-                under: Vec::new(),
-            };
-            Some((mended, near))
+            Some((Mended::of(derived.proven, edit.change), near))
         })?;
         let mut found = match decision {
             Decision::Refuted(refuted) => refuted_of(goal, &own, &assumed, refuted),

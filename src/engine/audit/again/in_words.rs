@@ -3,7 +3,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, first_goal, formulas, renamed, words_of};
-use crate::document::Inline;
+use crate::document::{GENERAL, Inline};
 use crate::sorted::Map;
 
 use super::super::judge::{Found, Judge, step};
@@ -53,16 +53,6 @@ const DENYING: [&str; 13] = [
     "different",
     "differs",
     "far",
-];
-/// What is written before one of these is of a case that is over.
-const GENERAL: [&str; 7] = [
-    "general",
-    "generally",
-    "otherwise",
-    "arbitrary",
-    "any",
-    "all",
-    "every",
 ];
 const INDUCTION: [&str; 1] = ["induction"];
 /// So many equations in the text before are looked at.
@@ -188,18 +178,11 @@ impl Judge<'_> {
         let denies = |text: &str| words_of(text).any(|word| DENYING.contains(&&*word));
         // "Substituting $V = w + 2 v$ from (2)" says of (2) what can be seen there.
         let is_read_off = |after: &str| words_of(after).next().is_some_and(|own| own == "from");
-        let source = &self.derivation.pages[self.derivation.equations[self.at].page]
-            .document
-            .source;
-        let end = self.derivation.equations[self.at].span.start;
-        // "The target stands still only if $w = 0$. In general"
-        let is_left = |math: &Inline| {
-            let after = source.get(math.span.end..end).unwrap_or_default();
-            words_of(after).any(|word| GENERAL.contains(&&*word))
-        };
+        // "The target stands still only if $w = 0$. In general": what is written before that is of a case that is over.
+        let left = self.derivation.last_word_before(self.at, &GENERAL);
         let is_so = |math: &Inline| {
             let (before, after) = self.derivation.sentence_around(self.at, math);
-            !denies(before) && !denies(after) && !is_read_off(after) && !is_left(math)
+            math.span.end > left && !denies(before) && !denies(after) && !is_read_off(after)
         };
         // "Equation (7) solved for the pressure drop is $p = 32 \mu L U/D^2$. Comparing with (8) we get"
         let mut written = self.derivation.written_in(self.at, is_so);
@@ -224,14 +207,14 @@ impl Judge<'_> {
         written.retain(|own| own.as_equation().is_some() && is_put(own));
         written.retain(|own| !is_known(own) && *own != goal.formula);
         // "$f = 3$ for monatomic and $f = 5$ for diatomic gases": neither.
-        let all = written.clone();
         let is_rival =
             |own: &Formula, other: &Formula| match (own.as_equation(), other.as_equation()) {
                 (Some((left, right)), Some((of, value))) => left == of && right != value,
                 _ => false,
             };
-        written.retain(|own| !all.iter().any(|other| is_rival(own, other)));
-        written.truncate(MOST_WRITTEN);
+        let has_no_rival = |own: &&Formula| !written.iter().any(|other| is_rival(own, other));
+        let meant = written.iter().filter(has_no_rival).take(MOST_WRITTEN);
+        let written: Vec<Formula> = meant.cloned().collect();
         let follows = |words: &[Formula]| {
             let words: Vec<Assumed> = words.iter().map(step).collect();
             let all: Vec<Assumed> = assumed.iter().chain(&words).cloned().collect();

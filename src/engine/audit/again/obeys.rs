@@ -7,11 +7,11 @@ use crate::algebra::{BigRational, Expr, Formula, Function, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, first_goal};
 use crate::document::Extent;
 use crate::kernel::{Refuted, Standing};
-use crate::search::Decision;
+use crate::search::{self, Decision};
 use crate::sorted::Set;
 
 use super::super::judge::{Found, Judge, taken};
-use super::super::{Judged, Outcome};
+use super::super::{Judged, Outcome, Verdict};
 use super::antiderivative::INTEGRATING;
 use super::borrowed::chain_of;
 use super::conditions::collect_waves;
@@ -424,10 +424,8 @@ impl Judge<'_> {
         assumed: &[Assumed],
         formula: &Formula,
     ) -> Option<Decision> {
-        let mut claim = self.derivation.claim(self.at, assumed, formula);
-        for own in &own.constants {
-            claim.domains.entry(own.clone()).or_default().constant = true;
-        }
+        let claim = self.derivation.claim(self.at, assumed, formula);
+        let claim = search::with_constants(claim, own.constants.iter().cloned());
         Some(self.decide(&*self.pose_claim(claim).ok()?))
     }
 
@@ -469,7 +467,7 @@ impl Judge<'_> {
         // What another solution comes to is no condition: "At the end $w(L) = F L^3/3 E I$. For a line load instead".
         let is_drawn = |other: usize| self.derivation.equations[other].drawn;
         told.retain(|said| match said.source {
-            Source::Equation(other) => self.is_given(other) || !is_drawn(other),
+            Source::Equation(other) => self.is_all(Verdict::Given, other) || !is_drawn(other),
             _ => true,
         });
         told.into_iter().find_map(|said| {

@@ -83,9 +83,9 @@ impl Judge<'_> {
         let is_by_name = set.is_empty();
         let gone = match set.is_empty() {
             true => by_name
-                .clone()
+                .iter()
                 .filter(|own| self.is_drawn_from(own, &assumed))
-                .into_iter()
+                .cloned()
                 .collect(),
             false => {
                 let gone = gone(set, &named, new, &assumed);

@@ -11,7 +11,7 @@ use crate::search::{self, Decision};
 use crate::sorted::{self, Map, Set};
 
 use super::super::judge::{Found, Judge, condition, sources, step};
-use super::super::{Judged, Outcome};
+use super::super::{Judged, Outcome, Verdict};
 use super::conditions::unbounded;
 
 /// More symbols than this are not held constant.
@@ -284,7 +284,7 @@ impl Judge<'_> {
     /// another premise speaks of, `r = \frac{p}{1 + e \cos\varphi}`: for whatever values of the others they are true.
     fn binding(&self, goal: &Goal, set: &[Assumed]) -> Vec<Assumed> {
         let follows = |own: &Assumed| match own.source {
-            Source::Equation(at) => self.is_shown(at),
+            Source::Equation(at) => self.is_all(Verdict::Holds, at),
             _ => false,
         };
         let named = goal.formula.names();

@@ -154,9 +154,6 @@ impl Dimensions {
         let Source::Equation(equation) = rows[at].source else {
             return;
         };
-        if rows[at].names_anew(derivation, equation, rows, &scope) {
-            return;
-        }
         // What is at fault is read last: then it disagrees with the others.
         let mut inference = Inference::default();
         for (other, row) in rows.iter().enumerate() {
@@ -165,7 +162,14 @@ impl Dimensions {
             }
         }
         if let Err(conflict) = rows[at].read(&mut inference, &scope, &rows[at].source) {
-            self.conflicts.insert((equation, rows[at].part), *conflict);
+            let rest = rows[at].but_a_letter_named_anew(derivation, equation, rows);
+            let agrees = |rest: &[Formula]| {
+                let readings = readings(&scope, rest.to_vec());
+                (inference.read(&readings, &rows[at].source, rows[at].is_crossed)).is_ok()
+            };
+            if !rest.is_some_and(agrees) {
+                self.conflicts.insert((equation, rows[at].part), *conflict);
+            }
         }
     }
 
@@ -188,20 +192,19 @@ impl Row {
         }
     }
 
-    /// Whether a chain gives a letter of which only another section speaks to something else, for all but the letter agrees: `Q` is a
-    /// charge, and then $$Q = \frac{\omega_0}{\Delta\omega} = \frac{1}{R} \sqrt{\frac{L}{C}}$$ the quality of a circuit.
-    fn names_anew(
+    /// A chain without the letter with which it begins, where only another section speaks of that and it may be something else here: `Q` is
+    /// a charge, and then $$Q = \frac{\omega_0}{\Delta\omega} = \frac{1}{R} \sqrt{\frac{L}{C}}$$ the quality of a circuit.
+    fn but_a_letter_named_anew(
         &self,
         derivation: &Derivation,
         equation: usize,
         rows: &[Row],
-        scope: &Arc<Scope>,
-    ) -> bool {
+    ) -> Option<&[Formula]> {
         let [Formula::Relation { left, .. }, rest @ ..] = &self.formulas[..] else {
-            return false;
+            return None;
         };
         let Expr::Symbol(letter) = left else {
-            return false;
+            return None;
         };
         let section = derivation.section_start(equation);
         let is_before = |own: &Source| match *own {
@@ -213,16 +216,8 @@ impl Row {
             _ => true,
         };
         let speaks = |row: &&Row| row.formulas.iter().any(|own| own.names().contains(letter));
-        if rest.is_empty() || !rows.iter().filter(speaks).all(|row| is_before(&row.source)) {
-            return false;
-        }
-        let mut inference = Inference::default();
-        let others = rows.iter().filter(|row| !std::ptr::eq(*row, self));
-        let mut agrees = |formulas: &[Formula]| {
-            let readings = readings(scope, formulas.to_vec());
-            inference.read(&readings, &(), self.is_crossed).is_ok()
-        };
-        others.into_iter().all(|row| agrees(&row.formulas)) && agrees(rest)
+        let mut speaking = rows.iter().filter(speaks);
+        (!rest.is_empty() && speaking.all(|row| is_before(&row.source))).then_some(rest)
     }
 
     /// Reads it on top of what is known.

@@ -68,29 +68,21 @@ impl Auditor<'_> {
         open: &Judged,
     ) -> Option<(Judged, Mended, Vec<Symbol>)> {
         let goal = &open.goal;
-        let symbols = goal.formula.free_symbols();
+        let mut symbols = goal.formula.free_symbols();
         let page = &self.derivation.pages[self.derivation.equations[how.at].page];
-        let mut symbols = symbols
-            .iter()
-            .filter(|own| !own.is_unit() && !page.is_number(own));
-        let positive = symbols.clone().map(|own| {
-            let own = Formula::positive(Expr::Symbol(own.clone()));
-            judge::taken(&own)
-        });
-        let positive: Vec<Assumed> = positive.collect();
+        symbols.retain(|own| !own.is_unit() && !page.is_number(own));
+        let positive = |own: &Symbol| judge::taken(&Formula::positive(Expr::Symbol(own.clone())));
+        let positive: Vec<Assumed> = symbols.iter().map(positive).collect();
         // What stands outside of what runs is not run over.
         let runs = |part: &Expr| matches!(part, Expr::Integral { .. } | Expr::Limit { .. });
         let terms = goal.formula.terms();
         let constant: Vec<Symbol> = match terms.into_iter().any(|term| term.any(&runs)) {
-            true => symbols.by_ref().cloned().collect(),
+            true => symbols.into_iter().collect(),
             false => Vec::new(),
         };
         let claim = |assumed: &[Assumed], formula: &Formula| -> Claim {
-            let mut claim = self.derivation.claim(how.at, assumed, formula);
-            for own in &constant {
-                claim.domains.entry(own.clone()).or_default().constant = true;
-            }
-            claim
+            let claim = self.derivation.claim(how.at, assumed, formula);
+            search::with_constants(claim, constant.iter().cloned())
         };
         let bare = claim(&positive, &goal.formula);
         let Decision::Refuted(refuted) = search::decide(bare.clone(), &self.hints()) else {
@@ -104,12 +96,7 @@ impl Auditor<'_> {
         let mut shown = later.into_iter().chain(first).filter_map(|edit| {
             let claim = claim(&positive, &edit.formula);
             let derived = search::prove_unconditionally(claim, Effort::Light)?;
-            Some(Mended {
-                proven: derived.proven,
-                change: edit.change,
-                next: None,
-                under: Vec::new(),
-            })
+            Some(Mended::of(derived.proven, edit.change))
         });
         let mended = shown.next()?;
         // What is said of the same symbols could be why the link holds: `n^2 = n` where `n = 1`.
@@ -130,7 +117,7 @@ impl Auditor<'_> {
         }
         let judged = Judged {
             goal: goal.clone(),
-            assumed: positive.clone(),
+            assumed: positive,
             outcome: Outcome::Refuted(refuted.into()),
         };
         Some((judged, mended, constant))

@@ -60,8 +60,8 @@ static SETTING: Words = Words::of(&["for", "when", "if"]);
 static SCENES: Words = Words::of(&["let", "suppose", "assume", "consider", "imagine", "take"]);
 /// Before these words may stand.
 static AND_NOW: Words = Words::of(&["now", "next", "then", "finally", "again", "us"]);
-/// A sentence with one of these leaves the case that the one before sets.
-static LEAVING: Words = Words::of(&[
+/// What is said before one of these is of a case that is over.
+pub const GENERAL: [&str; 7] = [
     "general",
     "generally",
     "otherwise",
@@ -69,12 +69,9 @@ static LEAVING: Words = Words::of(&[
     "any",
     "all",
     "every",
-    "later",
-    "elsewhere",
-    "for",
-    "when",
-    "if",
-]);
+];
+/// A sentence with one of these leaves the case that the one before sets, too.
+static LEAVING: Words = Words::of(&["later", "elsewhere", "for", "when", "if"]);
 /// No more is taken up, of no more sentences.
 const MOST_NAMED: usize = 4;
 const MOST_SENTENCES: usize = 4;
@@ -94,7 +91,7 @@ static NEAR_THE_TRUTH: Words = Words::of(&[
 pub(in crate::document) fn read(source: &str, tokens: &[Placed<'_>]) -> Vec<Named> {
     let ends = |token: &Placed<'_>| ends_sentence(source, token) || token.0.is_stop();
     let is_value = |own: &Named| source.get(own.body.range()).is_some_and(is_number);
-    let leaves = |(token, _): &Placed<'_>| token.is_among(&LEAVING);
+    let leaves = |(token, _): &Placed<'_>| token.is_among(&LEAVING) || token.is_among(&GENERAL);
     let (mut named, mut runs_on, mut is_lost) = (Vec::new(), true, false);
     let (mut all, mut said) = (Vec::new(), 0);
     // "The second body is at rest, $v = 0$. From (1)": that it is 0 is said of the next sentence, too.

@@ -58,6 +58,18 @@ pub struct Mended {
     pub under: Vec<Formula>,
 }
 
+impl Mended {
+    /// What follows as it is, whatever comes next.
+    pub fn of(proven: Proven, change: Change) -> Mended {
+        Mended {
+            proven,
+            change,
+            next: None,
+            under: Vec::new(),
+        }
+    }
+}
+
 /// What a refuted link of a chain has to do with its neighbours.
 #[derive(Clone, Debug, Default)]
 pub struct InChain {
