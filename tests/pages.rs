@@ -35,7 +35,7 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use cradle_verify::audit::{Audit, Verdict};
+use cradle_verify::audit::{Audit, Entry, Verdict};
 use cradle_verify::derivation::Derivation;
 
 /// What an answer says of a statement that its figures support.
@@ -67,8 +67,9 @@ impl Answer {
         Answer(text.split('|').map(statement).collect())
     }
 
-    fn found(audit: &Audit, equation: usize) -> Answer {
-        let entries = audit.of_equation(equation).iter().map(|entry| {
+    fn found(audit: &Audit, rows: std::ops::Range<usize>) -> Answer {
+        let entries = rows.flat_map(|at| audit.of_equation(at));
+        let entries = entries.map(|entry| {
             let notes = entry.notes.iter().map(|note| note.code().to_owned());
             let supported = entry.numeric.iter().filter(|own| own.is_supported());
             let supported = supported.map(|_| SUPPORTED.to_owned());
@@ -158,6 +159,21 @@ impl Page {
         found
     }
 
+    /// The equations by their displays: rows that share a number are shown, and slip, together.
+    fn displays(&self) -> Vec<std::ops::Range<usize>> {
+        let all = 0..self.derivation.equations.len();
+        let rows = all.map(|at| self.derivation.rows_of(at));
+        let mut displays: Vec<_> = rows.collect();
+        displays.dedup();
+        displays
+    }
+
+    /// The text of equations that stand one after another.
+    fn body(&self, rows: &std::ops::Range<usize>) -> std::ops::Range<usize> {
+        let of = |at: usize| self.derivation.equations[at].body.range();
+        of(rows.start).start..of(rows.end - 1).end
+    }
+
     /// The comments above a display.
     fn above(&self, key: &str, equation: usize) -> Vec<Comment<'_>> {
         let equations = &self.derivation.equations;
@@ -166,11 +182,11 @@ impl Page {
     }
 
     /// `file:line`, and the mathematics.
-    fn show(&self, equation: usize) -> String {
-        let equation = &self.derivation.equations[equation];
-        let body = &self.source[equation.body.range()];
-        let body = body.split_whitespace().collect::<Vec<_>>().join(" ");
-        let line = self.line(equation.body.start);
+    fn show(&self, rows: &std::ops::Range<usize>) -> String {
+        let body = self.body(rows);
+        let line = self.line(body.start);
+        let body = self.source[body].split_whitespace();
+        let body = body.collect::<Vec<_>>().join(" ");
         format!("{}:{line}\n    equation  {body}", self.path)
     }
 
@@ -178,15 +194,15 @@ impl Page {
     fn compare(&self, not_yet: bool, faults: &mut Vec<String>) {
         let audit = Audit::of(&self.derivation);
         let mut open = 0;
-        for at in 0..self.derivation.equations.len() {
-            let found = Answer::found(&audit, at);
-            let expected = self.above("expect", at);
-            let wanted = self.above("not-yet", at);
+        for rows in self.displays() {
+            let found = Answer::found(&audit, rows.clone());
+            let expected = self.above("expect", rows.start);
+            let wanted = self.above("not-yet", rows.start);
             let (comment, is_open) = match (&expected[..], &wanted[..]) {
                 ([comment], []) => (comment, false),
                 ([], [comment]) if not_yet => (comment, true),
                 _ => {
-                    let shown = self.show(at);
+                    let shown = self.show(&rows);
                     faults.push(format!(
                         "{shown}\n    needs exactly one comment above it, `<!-- expect: … -->`\n    found     {found}"
                     ));
@@ -204,13 +220,13 @@ impl Page {
             match (is_open, answer == found) {
                 (false, true) | (true, false) => {}
                 (false, false) => {
-                    let shown = self.show(at);
+                    let shown = self.show(&rows);
                     faults.push(format!(
                         "{shown}\n    expected  {answer}\n    found     {found}"
                     ));
                 }
                 (true, true) => {
-                    let shown = self.show(at);
+                    let shown = self.show(&rows);
                     faults.push(format!(
                         "{shown}\n    found     {found}\n    good news: this is right now; write `expect:`, and once nothing is open move the page up"
                     ));
@@ -253,7 +269,8 @@ impl Page {
     /// Makes each slip by itself.
     fn slips(&self, faults: &mut Vec<String>) {
         let original = self.failing();
-        for at in 0..self.derivation.equations.len() {
+        for rows in self.displays() {
+            let at = rows.start;
             let slips = self.above("slip", at).into_iter().map(|slip| (slip, false));
             let spreading = self.above("slip-spreads", at).into_iter();
             for (slip, spreads) in slips.chain(spreading.map(|slip| (slip, true))) {
@@ -267,7 +284,7 @@ impl Page {
                     fault("write `right becomes wrong`");
                     continue;
                 };
-                let body = self.derivation.equations[at].body.range();
+                let body = self.body(&rows);
                 let equation = &self.source[body.clone()];
                 if equation.matches(right).count() != 1 {
                     fault("what is right does not stand exactly once in the display below");
@@ -282,7 +299,7 @@ impl Page {
                 };
                 let failing = slipped.failing();
                 if !failing.contains(&at) {
-                    let found = Answer::found(&Audit::of(&slipped.derivation), at);
+                    let found = Answer::found(&Audit::of(&slipped.derivation), rows.clone());
                     fault(&format!("is not caught: {found}"));
                 }
                 let new = failing.difference(&original);
@@ -293,14 +310,14 @@ impl Page {
                 for other in others.iter().filter(|_| !spreads) {
                     fault(&format!(
                         "makes another step fail:\n  {}",
-                        slipped.show(**other)
+                        slipped.show(&slipped.derivation.rows_of(**other))
                     ));
                 }
             }
         }
     }
 
-    /// The equations with a statement that fails or is ill-dimensioned.
+    /// The displays with a statement that fails or is ill-dimensioned, each by its first equation.
     fn failing(&self) -> BTreeSet<usize> {
         let audit = Audit::of(&self.derivation);
         let entries = audit.entries.iter();
@@ -308,7 +325,8 @@ impl Page {
             let mut codes = entry.notes.iter().map(|note| note.code());
             entry.is_wrong() || codes.any(|code| code == "numeric-not-supported")
         });
-        failing.map(|entry| entry.equation).collect()
+        let first = |entry: &Entry| self.derivation.rows_of(entry.equation).start;
+        failing.map(first).collect()
     }
 }
 

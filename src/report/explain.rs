@@ -35,8 +35,8 @@ impl Report<'_> {
 
     fn explain_entry(&self, entry: &Entry) -> String {
         let mut text = String::from("\n");
-        if entry.parts > 1 {
-            text += &format!("Statement {} of {}\n", entry.part + 1, entry.parts);
+        if let Some((part, parts)) = self.part_of(entry) {
+            text += &format!("Statement {part} of {parts}\n");
         }
         if let Some(statement) = self.statement(entry) {
             text += &format!("  read as     {}\n", plain_statement(statement));

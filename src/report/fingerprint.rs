@@ -76,7 +76,7 @@ impl Report<'_> {
             (None, Some(name)) => name.clone(),
             (None, None) => String::new(),
         };
-        with_part(entry, label)
+        self.with_part(entry, label)
     }
 
     /// The name that the author gave an entry's equation, a claim's or a key, with the part as above; empty where there is none.
@@ -84,18 +84,16 @@ impl Report<'_> {
         let entry = &self.audit.entries[entry];
         let equation = self.equation(entry.equation);
         match equation.name.as_ref().or(equation.keys.first()) {
-            Some(name) => with_part(entry, name.clone()),
+            Some(name) => self.with_part(entry, name.clone()),
             None => String::new(),
         }
     }
-}
 
-fn with_part(entry: &Entry, label: String) -> String {
-    match entry.parts {
-        1 => label,
-        parts => format!("{label} {}/{parts}", entry.part + 1)
-            .trim_start()
-            .to_owned(),
+    fn with_part(&self, entry: &Entry, label: String) -> String {
+        match self.part_of(entry) {
+            None => label,
+            Some((part, parts)) => format!("{label} {part}/{parts}").trim_start().to_owned(),
+        }
     }
 }
 

@@ -326,7 +326,7 @@ impl Report<'_> {
         EquationView {
             tag: equation.tag.clone(),
             name: equation.name.clone(),
-            part: (entry.parts > 1).then_some(entry.part + 1),
+            part: self.part_of(entry).map(|(part, _)| part),
             file,
             line: place.line,
             column: place.column,

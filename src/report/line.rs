@@ -28,9 +28,9 @@ impl Report<'_> {
 
     fn line_name(&self, entry: &Entry) -> String {
         let name = self.name(entry.equation);
-        match entry.parts {
-            1 => name,
-            parts => format!("{name} {}/{parts}", entry.part + 1),
+        match self.part_of(entry) {
+            None => name,
+            Some((part, parts)) => format!("{name} {part}/{parts}"),
         }
     }
 

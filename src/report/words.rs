@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::algebra::{Symbol, as_printed};
 use crate::audit::Entry;
-use crate::derivation::{Equation, Source};
+use crate::derivation::{Among, Equation, Source};
 use crate::document::{Position, Span};
 use crate::notation::{Statement, plain_formula};
 
@@ -61,10 +61,20 @@ impl<'a> Report<'a> {
             Some(tag) => format!("equation ({tag})"),
             None => self.reference(entry.equation),
         };
-        match entry.parts {
-            1 => whole,
-            parts => format!("{whole}, statement {} of {parts},", entry.part + 1),
+        match self.part_of(entry) {
+            None => whole,
+            Some((part, parts)) => format!("{whole}, statement {part} of {parts},"),
         }
+    }
+
+    /// Which of how many statements it is that bear one number, counted from 1; `None` where it is the only one.
+    pub(super) fn part_of(&self, entry: &Entry) -> Option<(usize, usize)> {
+        let alone = Among {
+            before: 0,
+            all: entry.parts,
+        };
+        let Among { before, all } = self.equation(entry.equation).among.unwrap_or(alone);
+        (all > 1).then_some((before + entry.part + 1, all))
     }
 
     /// `line 12`, or `parts/a.tex:12` where that is another file than the page's.

@@ -1,6 +1,6 @@
 //! What a step is said to follow from, held against what it uses.
 
-use crate::derivation::{Kind, Source};
+use crate::derivation::{Derivation, Kind, Source};
 use crate::document::Extent;
 use crate::sorted::Set;
 
@@ -68,6 +68,36 @@ impl Auditor<'_> {
                 && PLACES.contains(&&*words[at])
                 && next.is_none_or(|next| AFTER.contains(&next))
         })
+    }
+}
+
+/// Leaves out of what is not needed what another row needs that shares the number of the step, and what shares the number of something
+/// needed: who cites (2) cites all its rows.
+pub(super) fn forgive_rows(derivation: &Derivation, entries: &mut [Entry]) {
+    let notes_some = |entry: &Entry| {
+        let mut notes = entry.notes.iter();
+        notes.any(|note| matches!(note, Note::UnusedPremise(_)))
+    };
+    let noting: Vec<usize> = (0..entries.len())
+        .filter(|&at| notes_some(&entries[at]))
+        .collect();
+    for at in noting {
+        let rows = derivation.rows_of(entries[at].equation);
+        let start = entries.partition_point(|own| own.equation < rows.start);
+        let end = entries.partition_point(|own| own.equation < rows.end);
+        let needed: Set<usize> = entries[start..end]
+            .iter()
+            .flat_map(|own| own.premises.iter().copied())
+            .collect();
+        let is_needed =
+            |premise: usize| derivation.rows_of(premise).any(|row| needed.contains(&row));
+        for note in &mut entries[at].notes {
+            if let Note::UnusedPremise(unused) = note {
+                unused.retain(|&premise| !is_needed(premise));
+            }
+        }
+        let is_empty = |note: &Note| matches!(note, Note::UnusedPremise(all) if all.is_empty());
+        entries[at].notes.retain(|note| !is_empty(note));
     }
 }
 

@@ -147,6 +147,7 @@ impl Audit {
             notes.retain(|n| !matches!(n, Note::Miscited { .. }));
             notes.push(note);
         }
+        cited::forgive_rows(derivation, &mut entries);
         Audit {
             entries,
             dimensions: shared.dimensions.into_inner().unwrap_or_default(),

@@ -81,7 +81,13 @@ impl Called {
             let symbols = || names.iter().flat_map(|name| symbols(source, name.body));
             // "and $Q$, $Q'$ those of the electron"
             let mut spoken = after.split_whitespace();
-            let those = spoken.next() == Some("those") && !self.vectors.is_empty();
+            let goes_on = match spoken.next() {
+                Some("those") => true,
+                // "Write the four-momenta as $k$ for the photon, $p$ for the electron"
+                Some("for") => !before.contains('.') && at > 0,
+                _ => false,
+            };
+            let those = goes_on && !self.vectors.is_empty();
             match () {
                 () if own(&OPERATORS) => self.operators.extend(symbols()),
                 () if own(&FUNCTIONS) || beside(after) => self.functions.extend(symbols()),
@@ -99,9 +105,13 @@ fn symbols(source: &str, body: Span) -> Vec<Symbol> {
     read.unwrap_or_default()
 }
 
-/// Whether the last word of what stands before names is one of these.
+/// Whether the last word of what stands before names is one of these: "the four-momenta $p$", "Write the four-momenta as $p$".
 fn ends_with(before: &str, words: &[&str]) -> bool {
-    let last = before.split_whitespace().next_back();
+    let mut back = before.split_whitespace().rev();
+    let last = back.next().and_then(|last| match last {
+        "as" | "by" => back.next(),
+        _ => Some(last),
+    });
     last.is_some_and(|last| words.contains(&last.to_lowercase().as_str()))
 }
 

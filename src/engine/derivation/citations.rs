@@ -44,6 +44,7 @@ impl Derivation {
         let mut duplicates: Vec<(usize, usize)> = several
             .flat_map(|all| all[1..].iter().map(|&at| (at, all[0])))
             .filter(|&(at, first)| !self.counted_apart(at, first))
+            .filter(|&(at, first)| !self.rows_of(first).contains(&at))
             .collect();
         duplicates.sort_unstable();
         duplicates.dedup_by_key(|pair| pair.0);
@@ -70,7 +71,8 @@ impl Derivation {
         for label in [label, other] {
             if let Some(all) = self.labels.get(label) {
                 let near = all[own(all)].first();
-                return near.or_else(|| all.first()).copied().into_iter().collect();
+                let first = near.or_else(|| all.first());
+                return first.map_or(Vec::new(), |&at| self.rows_of(at).collect());
             }
             if let Some(all) = self.groups.get(label) {
                 let near = &all[own(all)];

@@ -12,6 +12,15 @@ use super::qualities::Said;
 use super::slopes::TIME;
 use crate::sorted::{Map, Set};
 
+/// The place of a row among statements that share one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Among {
+    /// How many of the statements stand in rows before it.
+    pub before: usize,
+    /// How many there are in all.
+    pub all: usize,
+}
+
 /// An equation of a document, with all that its surroundings say about it.
 #[derive(Clone, Debug)]
 pub struct Equation {
@@ -89,6 +98,8 @@ pub struct Equation {
     pub premises: Premises,
     /// How many equations of the same display stand before it.
     pub row: usize,
+    /// Where it stands among the statements that share its number, where these are of several rows.
+    pub among: Option<Among>,
     /// How many of these it goes on with: `= c` after `a = b`.
     pub continues: usize,
     /// The hypotheses in effect where it stands, as positions in [`Page::locals`](super::Page::locals).

@@ -31,6 +31,7 @@ mod initial;
 mod lasting;
 mod meanings;
 mod names;
+mod nested;
 mod page;
 mod partials;
 mod pi;
@@ -65,7 +66,9 @@ pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
 pub(crate) use complex::parts_of;
-pub use equation::{Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional};
+pub use equation::{
+    Among, Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional,
+};
 pub(crate) use imaginary::is_imaginary_unit;
 pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};
@@ -231,6 +234,16 @@ impl Derivation {
     /// The first equation of the display that an equation is of.
     pub fn display_start(&self, at: usize) -> usize {
         at - self.equations[at].row.min(at)
+    }
+
+    /// The equations that share the number of one, itself among them: rows of one display.
+    pub fn rows_of(&self, at: usize) -> Range<usize> {
+        if self.equations[at].among.is_none() {
+            return at..at + 1;
+        }
+        let after = self.equations[at + 1..].iter();
+        let rows = after.take_while(|own| own.row > 0).count();
+        self.display_start(at)..at + 1 + rows
     }
 
     /// The last equation of the display before that, on the same page.

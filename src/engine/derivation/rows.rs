@@ -12,7 +12,8 @@ use crate::notation::{
 };
 use crate::parallel::{in_order, threads};
 
-use super::equation::formulas;
+use super::equation::{Among, formulas};
+use super::nested;
 
 /// One equation of a display.
 pub(super) struct Part {
@@ -22,6 +23,8 @@ pub(super) struct Part {
     pub body: Span,
     pub statements: Result<Vec<Statement>, SyntaxError>,
     pub continues: usize,
+    /// Where it stands among the statements that share its number, where these are of several rows.
+    pub among: Option<Among>,
 }
 
 /// What the equations of a display state that could be read.
@@ -69,7 +72,8 @@ pub(super) fn read(
     context: &Context,
 ) -> Vec<Part> {
     let Some(layout) = layout else {
-        let mut parts = vec![plain(read_on_page(source, body, false, context), body)];
+        let display = plain(read_on_page(source, body, false, context), body);
+        let mut parts = nested::by_rows(source, display);
         say_by_pieces(&mut parts);
         return parts;
     };
@@ -98,6 +102,7 @@ fn plain(display: Display, body: Span) -> Part {
         body,
         statements: display.statements,
         continues: 0,
+        among: None,
     }
 }
 
@@ -109,7 +114,7 @@ fn of_layout(source: &str, body: Span, layout: &Layout, context: &Context) -> Ve
         let mut part = plain(read_on_page(source, body, true, context), body);
         part.tag = row.number.clone().or(part.tag);
         part.keys.extend(row.keys.iter().cloned());
-        return vec![part];
+        return nested::by_rows(source, part);
     }
     let pieces: Vec<Vec<Span>> = layout.rows.iter().map(|row| row.pieces.clone()).collect();
     let numbers = layout
@@ -229,6 +234,7 @@ fn whole(units: Vec<Unit>, rows: &[Row], body: Span) -> Part {
         body,
         statements: statements.map(|all| all.into_iter().flatten().collect()),
         continues: 0,
+        among: None,
     }
 }
 
@@ -257,6 +263,7 @@ fn of_unit(unit: Unit, all: &[Row]) -> Vec<Part> {
             body: body_of(own),
             statements,
             continues,
+            among: None,
         }
     };
     let statements = match unit.statements {

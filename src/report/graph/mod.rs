@@ -222,12 +222,9 @@ impl Graph {
 fn node(report: &Report<'_>, entry: &Entry) -> Node {
     let equation = report.equation(entry.equation);
     let (label, name) = (report.label(entry.equation), report.name(entry.equation));
-    let (id, name) = match entry.parts {
-        1 => (label, name),
-        parts => (
-            format!("{label}/{}", entry.part + 1),
-            format!("{name} {}/{parts}", entry.part + 1),
-        ),
+    let (id, name) = match report.part_of(entry) {
+        None => (label, name),
+        Some((part, parts)) => (format!("{label}/{part}"), format!("{name} {part}/{parts}")),
     };
     let statement = report.statement(entry).map(plain_statement);
     Node {
@@ -235,7 +232,7 @@ fn node(report: &Report<'_>, entry: &Entry) -> Node {
         name: shortened(&name, LONGEST),
         tag: equation.tag.clone(),
         claim: equation.name.clone(),
-        part: (entry.parts > 1).then_some(entry.part + 1),
+        part: report.part_of(entry).map(|(part, _)| part),
         document: equation.page,
         place: report.place(entry.equation),
         verdict: entry.verdict,

@@ -1,8 +1,7 @@
-//! What words before a step say of where it comes from, and is not checked: "By symmetry the best response of firm 2 is", "By induction",
-//! "whereas equal work needs".
+//! What words before a step say of where it comes from, and is not checked: "By symmetry the best response of firm 2 is", "By induction".
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, Source, first_goal, formulas, renamed, words_of};
+use crate::derivation::{Assumed, Goal, formulas, renamed, words_of};
 use crate::document::{GENERAL, Inline};
 use crate::sorted::Map;
 
@@ -30,11 +29,6 @@ const ANALOGUE: [&str; 5] = [
     "equivalent",
     "analogues",
 ];
-/// With one of these it sets something against what stands before.
-const SET_AGAINST: [&str; 5] = ["whereas", "while", "contrast", "instead", "rather"];
-/// So it is with this before one of these: a "reduced length" is no other length than before.
-const REDUCED: [&str; 1] = ["reduced"];
-const BY_HOW_MUCH: [&str; 3] = ["to", "by", "from"];
 /// What words say of what does not change, and of what they say it.
 const CONSERVED: &str = "conserved";
 const CONSERVABLE: [&str; 5] = ["energy", "angular momentum", "momentum", "charge", "mass"];
@@ -96,46 +90,6 @@ impl Judge<'_> {
                 "it is drawn from what is like an equation before, and that is not written",
             );
         }
-    }
-
-    /// Leaves open another value of what the display before gives a value of, where words set one against the other: "whereas equal work from
-    /// both engines needs".
-    pub(in crate::audit) fn heed_contrast(
-        &self,
-        goal: &Goal,
-        assumed: &[Assumed],
-        found: &mut Found,
-    ) {
-        if !found.judged.outcome.is_refuted() || !self.cites_loosely() || !self.sets_against() {
-            return;
-        }
-        let of = match goal.formula.as_equation() {
-            Some((Expr::Symbol(of), _)) => of,
-            Some((Expr::Limit { body, .. }, _)) => match &**body {
-                Expr::Symbol(of) | Expr::Apply(of, _) => of,
-                _ => return,
-            },
-            _ => return,
-        };
-        let is_of_it = |own: &Formula| {
-            let sides = own.as_equation();
-            matches!(sides, Some((Expr::Symbol(own) | Expr::Apply(own, _), _)) if own == of)
-        };
-        let is_value =
-            |own: &Assumed| matches!(own.source, Source::Equation(_)) && is_of_it(&own.formula);
-        let is_given_value = |at: usize| {
-            let mut before = self.derivation.equations[at].statements().iter();
-            before.any(|own| first_goal(own).is_some_and(|own| is_of_it(&own.formula)))
-        };
-        let mut speaking = self.derivation.speaking_before(self.at, of);
-        if assumed.iter().any(is_value) || speaking.any(is_given_value) {
-            found.leave_open("words set it against another value that stands before");
-        }
-    }
-
-    /// Whether words set what is said against what stands before: "The wall moment is then reduced to".
-    pub(in crate::audit) fn sets_against(&self) -> bool {
-        self.says(&SET_AGAINST) || self.says_in_a_row(&REDUCED, &BY_HOW_MUCH)
     }
 
     /// Leaves open what was refuted after a law that only words name: "Kinetic energy is conserved as well", where no display says that.

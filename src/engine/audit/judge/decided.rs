@@ -207,6 +207,8 @@ impl Judge<'_> {
             self.heed_symmetry(goal, found);
             self.heed_what_is_new(goal, all, found);
             self.heed_contrast(goal, all, found);
+            self.heed_what_is_otherwise_now(goal, all, found);
+            self.heed_names_in_words(found);
             self.heed_laws_in_words(found);
             self.heed_what_is_out_of_scope(found);
             self.heed_what_it_goes_on_from(goal, all, premises, found);

@@ -157,21 +157,23 @@ impl Checker {
     /// There is no such equation, the point leaves out a symbol, something is divided by 0, or a term is not one
     /// that is evaluated (an unknown function, an integral).
     pub fn sides_at(&self, label: &str, point: &Point) -> Result<Vec<Sides>, EvaluateError> {
-        let equation = self
-            .equation(label)
+        let at = self
+            .position(label)
             .ok_or_else(|| EvaluateError::NoEquation(label.to_owned()))?;
-        let statements = match &equation.statements {
-            Ok(statements) => statements,
-            Err(error) => {
-                return Err(EvaluateError::Unreadable {
-                    text: label.to_owned(),
-                    message: error.message.clone(),
-                });
-            }
-        };
         let mut all = Vec::new();
-        for formula in statements.iter().flat_map(formulas) {
-            all.extend(point.sides(&formula)?);
+        for equation in &self.derivation.equations[self.derivation.rows_of(at)] {
+            let statements = match &equation.statements {
+                Ok(statements) => statements,
+                Err(error) => {
+                    return Err(EvaluateError::Unreadable {
+                        text: label.to_owned(),
+                        message: error.message.clone(),
+                    });
+                }
+            };
+            for formula in statements.iter().flat_map(formulas) {
+                all.extend(point.sides(&formula)?);
+            }
         }
         Ok(all)
     }
@@ -183,7 +185,8 @@ impl Checker {
     /// (`let`) that are not in effect is no premise. `None` where nothing was found, for what is given, and for
     /// a label that does not exist.
     pub fn hunt(&self, label: &str) -> Option<Refuted> {
-        let claims = self.claims(self.position(label)?).into_iter();
+        let rows = self.derivation.rows_of(self.position(label)?);
+        let claims = rows.flat_map(|at| self.claims(at));
         claims
             .map(|claim| search::decide(claim, &[]))
             .find_map(|decision| match decision {

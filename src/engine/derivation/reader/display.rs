@@ -297,6 +297,7 @@ impl Reader<'_> {
                 None => Premises::Cited(said.cited.clone()),
             },
             row,
+            among: part.among,
             continues: part.continues,
             locals,
             told: (self.told.iter().rev().take(MOST_MENTIONED).copied()).collect(),
