@@ -308,8 +308,13 @@ impl Lowering<'_> {
 
     fn rational_power(&mut self, base: &Fraction, exponent: &Rational) -> Lowered {
         if exponent.is_negative() {
-            let inverse = self.recip(base)?;
-            return self.rational_power(&inverse, &-exponent);
+            if exponent.is_integer() {
+                let inverse = self.recip(base)?;
+                return self.rational_power(&inverse, &-exponent);
+            }
+            // `a^{-5/2}` speaks of the root that `1/a^{5/2}` and `\sqrt a` speak of, not of that of `1/a`.
+            let power = self.rational_power(base, &-exponent)?;
+            return self.recip(&power);
         }
         if exponent.is_integer() {
             let power = exponent.to_u32().ok_or(LowerError::TooLarge)?;

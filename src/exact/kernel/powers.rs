@@ -204,7 +204,7 @@ impl Problem {
             let Some(base) = self.base_over(&mut atoms, var) else {
                 continue;
             };
-            for fact in self.about(var, &base, &knowledge)? {
+            for fact in self.about(&atoms, var, &base, &knowledge)? {
                 knowledge.learn(&fact);
                 self.add(fact.polynomial, fact.sign, Origin::Powers);
             }
@@ -225,8 +225,9 @@ impl Problem {
     /// # Errors
     /// It is too large to be told.
     pub fn about_power(&self, power: Var, knowledge: &Knowledge) -> Result<Vec<Fact>, Reject> {
-        match self.base_over(&mut self.atoms.clone(), power) {
-            Some(base) => self.about(power, &base, knowledge),
+        let mut atoms = self.atoms.clone();
+        match self.base_over(&mut atoms, power) {
+            Some(base) => self.about(&atoms, power, &base, knowledge),
             None => Ok(Vec::new()),
         }
     }
@@ -243,9 +244,16 @@ impl Problem {
         (plain && conditions.doubtful.is_empty()).then_some(Base { value, exponent })
     }
 
-    fn about(&self, power: Var, base: &Base, knowledge: &Knowledge) -> Result<Vec<Fact>, Reject> {
-        // What it is made of comes before it.
-        let before = |p: &Polynomial| p.vars().iter().all(|v| *v < power);
+    fn about(
+        &self,
+        atoms: &Atoms,
+        power: Var,
+        base: &Base,
+        knowledge: &Knowledge,
+    ) -> Result<Vec<Fact>, Reject> {
+        // What it is made of comes before it, but for symbols, of which all is known that ever will be.
+        let is_symbol = |v: Var| matches!(atoms.atom(v), Atom::Symbol(_));
+        let before = |p: &Polynomial| p.vars().iter().all(|&v| v < power || is_symbol(v));
         let mut divisors = base.value.denominator();
         let sure = divisors.all(|(d, _)| before(d) && knowledge.is_nonzero(d));
         let apart = self.functions.as_ref().filter(|_| self.powers.is_some());
