@@ -113,34 +113,38 @@ impl Auditor<'_> {
             let judge = judge::Judge::new(self, how.at, how.usable);
             judge.sets_against() || judge.draws_on_analogues()
         };
-        let open = entry.judged.iter().position(is_open);
-        let Some(open) = open.filter(|_| !is_of_others()) else {
-            return entry;
-        };
-        let judged = &entry.judged[open];
-        let samples = self.samples(how, &entry, &judged.goal);
-        if !samples.are_enough() || samples.allow(&judged.goal.formula) {
+        let is_open = |at: &usize| is_open(&entry.judged[*at]);
+        let open: Vec<usize> = (0..entry.judged.len()).filter(is_open).collect();
+        if open.is_empty() || is_of_others() {
             return entry;
         }
-        let (formula, assumed) = (&judged.goal.formula, &judged.assumed);
-        let claim = self.derivation.claim(how.at, assumed, formula);
-        let slips = slips(statement, &entry.judged, &judged.goal, &claim, None);
-        let slips = slips.and_rarer();
-        let slips = slips.such_that(|own| samples.are_true_with(own));
-        let link = (&entry, &judged.goal);
-        let shown = || self.first_shown(statement, how, link, slips, MOST_TRIED);
-        let shown = effort::altogether(MOST_WORK, shown);
-        // What a new name means may be guessed wrong.
-        let is_guessed = |own: &Shown| {
-            let is_guess =
-                |own: &Assumed| own.source == Source::Taken && own.formula.equates_names();
-            is_stated && own.from.iter().any(is_guess)
+        let slip_of = |&at: &usize| {
+            let judged = &entry.judged[at];
+            let samples = self.samples(how, &entry, &judged.goal);
+            if !samples.are_enough() || samples.allow(&judged.goal.formula) {
+                return None;
+            }
+            let (formula, assumed) = (&judged.goal.formula, &judged.assumed);
+            let claim = self.derivation.claim(how.at, assumed, formula);
+            let slips = slips(statement, &entry.judged, &judged.goal, &claim, None);
+            let slips = slips.and_rarer();
+            let slips = slips.such_that(|own| samples.are_true_with(own));
+            let link = (&entry, &judged.goal);
+            let shown = || self.first_shown(statement, how, link, slips, MOST_TRIED);
+            let shown = effort::altogether(MOST_WORK, shown);
+            // What a new name means may be guessed wrong.
+            let is_guessed = |own: &Shown| {
+                let is_guess =
+                    |own: &Assumed| own.source == Source::Taken && own.formula.equates_names();
+                is_stated && own.from.iter().any(is_guess)
+            };
+            let shown = shown.filter(|own| !is_guessed(own))?;
+            let refuted = || self.refuted_beside(how, &judged.goal, &shown);
+            let refuted = effort::altogether(MOST_WORK, refuted)?;
+            Some((at, refuted, shown))
         };
-        let Some(shown) = shown.filter(|own| !is_guessed(own)) else {
-            return entry;
-        };
-        let refuted = || self.refuted_beside(how, &judged.goal, &shown);
-        let Some(refuted) = effort::altogether(MOST_WORK, refuted) else {
+        let found = open.iter().take(MOST_LINKS).find_map(slip_of);
+        let Some((open, refuted, shown)) = found else {
             return entry;
         };
         entry.judged[open] = refuted;
