@@ -27,6 +27,12 @@ pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
             _ => None,
         })
         .collect();
+    // Nothing runs on through a root of 0.
+    let is_slope = |expr: &Expr| matches!(expr, Expr::Derivative { .. });
+    let sign = match opaque.iter().any(|(_, expr)| is_slope(expr)) {
+        true => Sign::Positive,
+        false => Sign::NonNegative,
+    };
     for (var, expr) in opaque {
         match &expr {
             Expr::Derivative { body, .. }
@@ -47,7 +53,7 @@ pub fn roots(atoms: &mut Atoms) -> Option<Vec<Fact>> {
                 });
                 facts.push(Fact {
                     polynomial: root,
-                    sign: Sign::NonNegative,
+                    sign,
                 });
             }
             // What is known of these is among the facts.
