@@ -402,6 +402,19 @@ impl Page {
         self.complex.contains(symbol) && is_imaginary_unit(symbol)
     }
 
+    /// Whether a formula ties small changes to one another as differentials, `\frac{\delta V}{V} = 3 \frac{\delta r}{r}`: so it is meant as it
+    /// stands.
+    fn is_of_differentials(&self, formula: &Formula) -> bool {
+        let order = |side: &Expr| order_in(side, &self.small);
+        match formula.as_equation() {
+            Some((left, right)) => {
+                let orders = order(left).zip(order(right));
+                orders.is_some_and(|(left, right)| left == right && left.abs() <= 1)
+            }
+            None => false,
+        }
+    }
+
     /// Whether a formula speaks of something of which nothing is decided.
     pub fn beyond(&self, formula: &Formula) -> Option<Beyond> {
         if self.complex.is_empty() && self.small.is_empty() {
@@ -411,8 +424,29 @@ impl Page {
         let speaks = |of: &BTreeSet<Symbol>| names.iter().any(|own| of.contains(own));
         match (speaks(&self.complex), speaks(&self.small)) {
             (true, _) => Some(Beyond::Complex),
-            (false, true) => Some(Beyond::Small),
+            (false, true) => (!self.is_of_differentials(formula)).then_some(Beyond::Small),
             (false, false) => None,
         }
+    }
+}
+
+/// The order of a term in what is small, where all of it is of one.
+fn order_in(term: &Expr, small: &BTreeSet<Symbol>) -> Option<i64> {
+    let names = Formula::names_in(std::iter::once(term));
+    if !names.iter().any(|own| small.contains(own)) {
+        return Some(0);
+    }
+    let order = |own: &Expr| order_in(own, small);
+    match term {
+        Expr::Symbol(_) => Some(1),
+        Expr::Negate(inner) => order(inner),
+        Expr::Product(factors) => factors.iter().map(order).sum(),
+        Expr::Quotient(above, below) => Some(order(above)? - order(below)?),
+        Expr::Sum(summands) => {
+            let mut orders = summands.iter().map(order);
+            let first = orders.next()??;
+            orders.all(|own| own == Some(first)).then_some(first)
+        }
+        _ => None,
     }
 }

@@ -214,6 +214,11 @@ impl Judge<'_> {
         let told = self.derivation.told(self.at).into_iter();
         let mut gathered: Vec<Assumed> = told.chain(offered).filter(|a| !own.contains(a)).collect();
         gathered.truncate(own.len() + MOST_BORROWED);
+        self.leave_out_opposite_roots(&mut gathered);
+        // What speaks of nothing that the step does not speak of says most of it.
+        let spoken = self.derivation.equations[self.at].symbols();
+        let says_most = |own: &Assumed| own.formula.names().is_subset(&spoken);
+        gathered.sort_by_key(|own| !says_most(own));
         gathered
     }
 

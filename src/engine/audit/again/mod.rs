@@ -27,6 +27,7 @@ pub(super) mod limiting;
 mod lingering;
 mod named;
 mod obeys;
+mod opposite_roots;
 mod otherwise;
 mod overlooked;
 mod rescue;

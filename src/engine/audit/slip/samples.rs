@@ -38,10 +38,14 @@ impl Auditor<'_> {
             sets.insert(0, with(all));
         }
         // Where something is, how it moves leaves open.
-        let mut still = with(near);
-        still.retain(|own| !own.speaks_of_slopes());
-        if !goal.formula.speaks_of_slopes() && still.len() < with(near).len() {
-            sets.push(still);
+        if !goal.formula.speaks_of_slopes() {
+            for at in 0..sets.len() {
+                let mut still = sets[at].clone();
+                still.retain(|own| !own.speaks_of_slopes());
+                if still.len() < sets[at].len() {
+                    sets.push(still);
+                }
+            }
         }
         let of = |all| Samples::new(all, &sets[0], &goal.formula);
         // What nobody says the sign of is mostly meant to be positive.
