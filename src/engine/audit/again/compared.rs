@@ -21,6 +21,21 @@ const COMPARING: [&str; 7] = [
 /// So it goes on with one of these before that: "Comparing this with the standard form $$…$$ one reads off".
 const READING: [&str; 3] = ["read", "reads", "reading"];
 const OFF: [&str; 1] = ["off"];
+/// Or with one of these: "Comparison with the standard form $$…$$ identifies".
+const GIVING: [&str; 12] = [
+    "gives",
+    "give",
+    "yields",
+    "yield",
+    "identifies",
+    "identify",
+    "shows",
+    "show",
+    "get",
+    "obtain",
+    "find",
+    "identified",
+];
 /// So many equations with the left side of another are compared with that.
 const MOST_SAME: usize = 3;
 
@@ -31,7 +46,8 @@ impl Judge<'_> {
             let before = self.derivation.before_display(self.at);
             before.is_some_and(|before| self.is_led_to_by(before, &COMPARING))
         };
-        self.says(&COMPARING) || self.says_in_a_row(&READING, &OFF) && goes_on()
+        self.says(&COMPARING)
+            || (self.says_in_a_row(&READING, &OFF) || self.says(&GIVING)) && goes_on()
     }
 
     /// What is compared as words say, for every value of a variable that the step leaves out: "From slope $b$ and intercept $a$" of
