@@ -270,6 +270,7 @@ impl Judge<'_> {
             && let Some(own) = self
                 .as_no_solution(goal, premises, Some(&found.judged))
                 .or_else(|| self.as_no_integral_of_law(goal, premises))
+                .or_else(|| self.as_no_ratio_of_states(goal, &found.judged))
         {
             return own;
         }

@@ -22,6 +22,7 @@ pub(super) mod expanded;
 mod going_on;
 mod implicit;
 mod in_words;
+mod invariant;
 mod joined;
 pub(super) mod limiting;
 mod lingering;
