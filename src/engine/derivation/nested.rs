@@ -12,12 +12,15 @@ use super::rows::Part;
 /// The environments whose rows are steps. Those of `cases` hold together or are alternatives.
 const NESTED: &[&str] = &["aligned", "alignedat", "gathered", "split"];
 
+/// Nobody writes more steps below one number; each is judged from those before it.
+const MOST_ROWS: usize = 64;
+
 /// The equations of a display that is one such environment and no more than that.
 pub(super) fn by_rows(source: &str, display: Part) -> Vec<Part> {
     match &display.statements {
         Ok(statements) if is_nested(&source[display.body.range()]) => {
             let rows = rows(source, statements);
-            if rows.len() < 2 {
+            if !(2..=MOST_ROWS).contains(&rows.len()) {
                 return vec![display];
             }
             let all = statements.len();

@@ -22,14 +22,7 @@ const MOST_EDITS: usize = 40;
 const MOST_PAIRS: usize = 3;
 /// After mathematics these say that it does not change: "is constant", "remains constant", "is conserved".
 const STAYING: [&str; 5] = ["is", "remains", "stays", "are", "remain"];
-const SAME: [&str; 6] = [
-    "constant",
-    "conserved",
-    "unchanged",
-    "fixed",
-    "the",
-    "invariant",
-];
+const SAME: [&str; 5] = ["constant", "conserved", "unchanged", "fixed", "invariant"];
 
 /// What does not change, and who says so.
 struct Invariant {
@@ -77,9 +70,11 @@ impl Judge<'_> {
         let stays = |end: usize| {
             let after = source.get(end..).unwrap_or_default();
             let after = after.split(['.', ',', ';', '$']).next().unwrap_or_default();
-            let words: Vec<String> = words_of(after).take(2).collect();
-            match &words[..] {
-                [is, same] => STAYING.contains(&&**is) && SAME.contains(&&**same),
+            let words: Vec<String> = words_of(after).take(3).collect();
+            let words: Vec<&str> = words.iter().map(String::as_str).collect();
+            match words[..] {
+                [is, "the", "same"] => STAYING.contains(&is),
+                [is, same, ..] => STAYING.contains(&is) && SAME.contains(&same),
                 _ => false,
             }
         };

@@ -108,8 +108,12 @@ impl Reader<'_> {
             if row + 1 == of_display {
                 equation.name = said.name.clone();
             }
-            if of_display == 1 {
-                equation.span = span;
+            // What stands before the first row and after the last is no prose.
+            if row == 0 {
+                equation.span.start = span.start;
+            }
+            if row + 1 == of_display {
+                equation.span.end = span.end;
             }
             equation.opens &= alone;
             equation.drawn &= drawn;
