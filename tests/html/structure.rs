@@ -380,3 +380,16 @@ fn nothing_to_read_is_a_page_too() {
         assert!(text_of(tree(&page).root()).contains("No displayed equation was found"));
     }
 }
+
+/// What parts the rows that share a number is no prose between them.
+#[test]
+fn nothing_stands_between_rows_of_one_number() {
+    let source = "We have\n\n$$\n\\begin{aligned}\na &= b, \\\\\nb &= c,\n\\end{aligned} \\tag{1}\n$$\n\nand nothing else.\n";
+    let page = page_of(&[("a.md", source)]);
+    let document = tree(&page);
+    let paragraphs = document.descendants().filter(|own| own.has_tag_name("p"));
+    let said: Vec<String> = paragraphs.map(text_of).collect();
+    let has = |text: &str| said.iter().any(|own| own.trim() == text);
+    assert!(has("We have") && has("and nothing else."), "{said:?}");
+    assert!(!said.iter().any(|own| own.contains('\\')), "{said:?}");
+}

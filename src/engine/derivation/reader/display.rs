@@ -108,7 +108,13 @@ impl Reader<'_> {
             if row + 1 == of_display {
                 equation.name = said.name.clone();
             }
-            // What stands before the first row and after the last is no prose.
+            // What stands before the first row and after the last is no prose, nor is what parts rows that share a number.
+            if row > 0
+                && equation.among.is_some()
+                && let Some(before) = self.equations.last_mut()
+            {
+                before.span.end = equation.span.start;
+            }
             if row == 0 {
                 equation.span.start = span.start;
             }
