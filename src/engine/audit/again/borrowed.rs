@@ -215,10 +215,12 @@ impl Judge<'_> {
         let mut gathered: Vec<Assumed> = told.chain(offered).filter(|a| !own.contains(a)).collect();
         gathered.truncate(own.len() + MOST_BORROWED);
         self.leave_out_opposite_roots(&mut gathered);
-        // What speaks of nothing that the step does not speak of says most of it.
-        let spoken = self.derivation.equations[self.at].symbols();
-        let says_most = |own: &Assumed| own.formula.names().is_subset(&spoken);
-        gathered.sort_by_key(|own| !says_most(own));
+        // What speaks of nothing that the step does not speak of says most of it; few are all looked at.
+        if gathered.len() > NEARBY[0].0 {
+            let spoken = self.derivation.equations[self.at].symbols();
+            let says_most = |own: &Assumed| own.formula.names().is_subset(&spoken);
+            gathered.sort_by_cached_key(|own| !says_most(own));
+        }
         gathered
     }
 

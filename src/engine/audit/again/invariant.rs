@@ -6,6 +6,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol, effort, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, renamed, values_at, words_of};
+use crate::document::Inline;
 use crate::notation::read_expr;
 use crate::search::{self, Change, Decision, Effort, InChain, Mended, Slips};
 use crate::sorted::Set;
@@ -20,6 +21,8 @@ const MOST_WORK: u64 = 2_000_000;
 const MOST_EDITS: usize = 40;
 /// A step compares few states.
 const MOST_PAIRS: usize = 3;
+/// So many terms that are said not to change are looked at, the nearest first.
+const MOST_TOLD: usize = 3;
 /// After mathematics these say that it does not change: "is constant", "remains constant", "is conserved".
 const STAYING: [&str; 5] = ["is", "remains", "stays", "are", "remain"];
 const SAME: [&str; 5] = ["constant", "conserved", "unchanged", "fixed", "invariant"];
@@ -79,7 +82,8 @@ impl Judge<'_> {
             }
         };
         let told = self.derivation.inline_before(self.at);
-        let told = told.filter(|own| stays(own.span.end));
+        let told: Vec<&Inline> = told.filter(|own| stays(own.span.end)).collect();
+        let told = told.into_iter().rev().take(MOST_TOLD);
         let told = told.filter_map(|own| read_expr(source, own.body).ok());
         let told = told.map(|term| Invariant { term, said: None });
         let is_constant = |side: &Expr| matches!(side, Expr::Symbol(own) if self.derivation.is_some_constant(own));
