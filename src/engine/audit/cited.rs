@@ -4,6 +4,7 @@ use crate::derivation::{Derivation, Kind, Source};
 use crate::document::Extent;
 use crate::sorted::Set;
 
+use super::entry::of_equations;
 use super::premise::Offer;
 use super::{Auditor, Entry, Note};
 
@@ -83,10 +84,8 @@ pub(super) fn forgive_rows(derivation: &Derivation, entries: &mut [Entry]) {
         .collect();
     for at in noting {
         let rows = derivation.rows_of(entries[at].equation);
-        let start = entries.partition_point(|own| own.equation < rows.start);
-        let end = entries.partition_point(|own| own.equation < rows.end);
-        let needed: Set<usize> = entries[start..end]
-            .iter()
+        let of_rows = of_equations(entries, rows).iter();
+        let needed: Set<usize> = of_rows
             .flat_map(|own| own.premises.iter().copied())
             .collect();
         let is_needed =

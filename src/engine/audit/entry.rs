@@ -1,3 +1,5 @@
+use std::ops::Range;
+
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Goal, Kind, Source};
 use crate::document::Span;
@@ -388,6 +390,12 @@ pub(super) fn verdict(judged: &[Judged]) -> Verdict {
     } else {
         Verdict::Holds
     }
+}
+
+/// The entries of equations that stand one after another.
+pub(super) fn of_equations(entries: &[Entry], equations: Range<usize>) -> &[Entry] {
+    let before = |at: usize| entries.partition_point(|own| own.equation < at);
+    &entries[before(equations.start)..before(equations.end)]
 }
 
 /// Leaves open what was refuted without something that it may follow from.

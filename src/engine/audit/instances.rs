@@ -279,6 +279,17 @@ pub(super) fn index(symbol: &Symbol) -> Option<&str> {
     symbol.name().get(stem.len()..).filter(|_| !runs)
 }
 
+/// The states that names have a symbol in, `1` and `2` of `T_1` and `T_2` for `T`, with these names.
+pub(super) fn states<'n>(of: &Symbol, names: &'n Set<Symbol>) -> Vec<(&'n str, &'n Symbol)> {
+    let states = names.iter().filter_map(|name| {
+        let (stem, state) = split_subscript(name.name())?;
+        (stem == of.name()).then_some((state, name))
+    });
+    let mut states: Vec<(&str, &Symbol)> = states.collect();
+    states.sort_unstable();
+    states
+}
+
 /// Whether it has an index that does not run, or a prime.
 fn is_of_thing(symbol: &Symbol) -> bool {
     index(symbol).is_some() || tells_apart(symbol) == Some(PRIME)

@@ -8,7 +8,7 @@ mod unclear;
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
-use crate::algebra::{Formula, Symbol, effort};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Beyond, Derivation, Goal, Source};
 use crate::kernel::{Claim, Obligation, Refuted, Reject, Standing};
 use crate::notation::{plain, plain_symbol};
@@ -497,6 +497,11 @@ pub(super) fn taken(formula: &Formula) -> Assumed {
         source: Source::Taken,
         ..step(formula)
     }
+}
+
+/// That a symbol is meant to be positive, as [`taken`].
+pub(super) fn positive(own: &Symbol) -> Assumed {
+    taken(&Formula::positive(Expr::Symbol(own.clone())))
 }
 
 /// A condition under which a step is tried: that something does not change is meant throughout.

@@ -156,9 +156,7 @@ impl Audit {
 
     /// The entries of one equation.
     pub fn of_equation(&self, at: usize) -> &[Entry] {
-        let start = self.entries.partition_point(|e| e.equation < at);
-        let end = self.entries.partition_point(|e| e.equation <= at);
-        &self.entries[start..end]
+        entry::of_equations(&self.entries, at..at + 1)
     }
 
     /// How many entries have each verdict.

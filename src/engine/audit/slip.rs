@@ -47,8 +47,9 @@ impl Auditor<'_> {
     ) -> Option<(Vec<Judged>, Mended)> {
         let is_refuted = |at: &usize| entry.judged[*at].outcome.is_refuted();
         let mut refuted = (0..entry.judged.len()).filter(is_refuted).take(MOST_LINKS);
+        let judge = judge::Judge::new(self, how.at, how.usable);
         refuted.find_map(|at| {
-            let shown = self.shown_for(statement, how, entry, at)?;
+            let shown = self.shown_for(&judge, statement, how, (entry, at))?;
             let before = shown.links.into_iter().take(at);
             Some((before.collect(), shown.mended))
         })
@@ -56,10 +57,10 @@ impl Auditor<'_> {
 
     fn shown_for(
         &self,
+        judge: &judge::Judge,
         statement: &Statement,
         how: &Circumstances,
-        entry: &Entry,
-        at: usize,
+        (entry, at): (&Entry, usize),
     ) -> Option<Shown> {
         let judged = &entry.judged[at];
         let Outcome::Refuted(refuted) = &judged.outcome else {
@@ -67,7 +68,7 @@ impl Auditor<'_> {
         };
         let (claim, witness) = (refuted.claim(), refuted.witness());
         let slips = || slips(statement, &entry.judged, &judged.goal, claim, Some(witness));
-        let samples = self.samples(how, entry, &judged.goal);
+        let samples = self.samples(judge, how, entry, &judged.goal);
         let link = (entry, &judged.goal);
         let likely = || {
             let is_likely = |own: &Formula| samples.are_true_with(own);
@@ -109,18 +110,18 @@ impl Auditor<'_> {
             };
             is_open && is_equation && is_plain
         };
-        let is_of_others = || {
-            let judge = judge::Judge::new(self, how.at, how.usable);
-            judge.sets_against() || judge.draws_on_analogues()
-        };
         let is_open = |at: &usize| is_open(&entry.judged[*at]);
         let open: Vec<usize> = (0..entry.judged.len()).filter(is_open).collect();
-        if open.is_empty() || is_of_others() {
+        if open.is_empty() {
+            return entry;
+        }
+        let judge = judge::Judge::new(self, how.at, how.usable);
+        if judge.sets_against() || judge.draws_on_analogues() {
             return entry;
         }
         let slip_of = |&at: &usize| {
             let judged = &entry.judged[at];
-            let samples = self.samples(how, &entry, &judged.goal);
+            let samples = self.samples(&judge, how, &entry, &judged.goal);
             if !samples.are_enough() || samples.allow(&judged.goal.formula) {
                 return None;
             }

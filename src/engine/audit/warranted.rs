@@ -11,7 +11,7 @@ use std::cell::LazyCell;
 use num_traits::Signed;
 
 use crate::algebra::{Expr, Formula, Relation, Symbol, effort};
-use crate::derivation::{Assumed, Goal, Source, first_goal, goals};
+use crate::derivation::{Assumed, Goal, Source, first_goal, goals, in_a_row};
 use crate::document::Span;
 use crate::notation::{Statement, has_units, plain_formula, read_expr};
 use crate::search::{self, Decision, Mended};
@@ -158,8 +158,8 @@ impl Auditor<'_> {
         let words = self.derivation.leading_words(at);
         let own = judged.goal.formula.names();
         let is_left = |premise: &Assumed| !premise.formula.names().is_subset(&own);
-        let says_none = |pair: &[String]| pair == ["with", "no"];
-        (words.iter().any(|word| LEFT_OUT.contains(&&**word)) || words.windows(2).any(says_none))
+        let says_none = || in_a_row(&words, &["with"], &["no"]);
+        (words.iter().any(|word| LEFT_OUT.contains(&&**word)) || says_none())
             && judged.assumed.iter().any(is_left)
     }
 

@@ -535,7 +535,7 @@ fn equal_sides(clause: &Clause) -> Option<Vec<Expr>> {
 }
 
 /// Whether a term is 0 whatever the symbols in it are.
-fn comes_to_nothing(term: &Expr) -> bool {
+pub(crate) fn comes_to_nothing(term: &Expr) -> bool {
     let mut atoms = Atoms::default();
     let value = Lowering::plain(&mut atoms).lower(term);
     value.is_ok_and(|own| own.is_zero())

@@ -65,7 +65,7 @@ pub use beside::{About, Beside, Budget, Clash, Place, Severity, Shared};
 pub use checker::{Checker, Point, values_at};
 pub use citations::Unknown;
 pub use claim::is_open;
-pub(crate) use complex::parts_of;
+pub(crate) use complex::{comes_to_nothing, parts_of};
 pub use equation::{
     Among, Equation, Goal, Kind, conditions, first_goal, formulas, goals, unconditional,
 };
@@ -74,7 +74,7 @@ pub(crate) use meanings::renamed;
 pub(crate) use names::{dotted, without_dots};
 pub use page::{Beyond, Datum, Page, Premises};
 pub use qualities::Said;
-pub(crate) use relatives::words_of;
+pub(crate) use relatives::{in_a_row, words_of};
 pub use running::Running;
 pub(crate) use slopes::TIME;
 pub use sums::sums_in;

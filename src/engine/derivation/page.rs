@@ -432,13 +432,9 @@ impl Page {
 
 /// The order of a term in what is small, where all of it is of one.
 fn order_in(term: &Expr, small: &BTreeSet<Symbol>) -> Option<i64> {
-    let names = Formula::names_in(std::iter::once(term));
-    if !names.iter().any(|own| small.contains(own)) {
-        return Some(0);
-    }
     let order = |own: &Expr| order_in(own, small);
     match term {
-        Expr::Symbol(_) => Some(1),
+        Expr::Symbol(own) => Some(i64::from(small.contains(own))),
         Expr::Negate(inner) => order(inner),
         Expr::Product(factors) => factors.iter().map(order).sum(),
         Expr::Quotient(above, below) => Some(order(above)? - order(below)?),
@@ -447,6 +443,9 @@ fn order_in(term: &Expr, small: &BTreeSet<Symbol>) -> Option<i64> {
             let first = orders.next()??;
             orders.all(|own| own == Some(first)).then_some(first)
         }
-        _ => None,
+        other => {
+            let names = Formula::names_in(std::iter::once(other));
+            (!names.iter().any(|own| small.contains(own))).then_some(0)
+        }
     }
 }

@@ -251,6 +251,12 @@ pub fn words_of(text: &str) -> impl Iterator<Item = String> + '_ {
     words.map(str::to_lowercase)
 }
 
+/// Whether one of some words stands among others, and one of the next right after it.
+pub fn in_a_row(words: &[String], first: &[&str], next: &[&str]) -> bool {
+    let are_these = |pair: &[String]| first.contains(&&*pair[0]) && next.contains(&&*pair[1]);
+    words.windows(2).any(are_these)
+}
+
 /// "no-slip" denies nothing.
 fn is_of_word(c: char) -> bool {
     c.is_alphabetic() || c == '-'

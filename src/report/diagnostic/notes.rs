@@ -85,7 +85,7 @@ impl Report<'_> {
                 let given = entry.kind == crate::derivation::Kind::Given;
                 finding.title = match (sources.is_empty(), given) {
                     // Nothing else is needed but the rest of its display, and what is declared.
-                    (true, true) if self.part_of(entry).is_some() => {
+                    (true, true) if entry.parts > 1 => {
                         format!(
                             "{subject} and the others of its display are true for no values that their symbols may have"
                         )

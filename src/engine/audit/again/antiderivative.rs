@@ -9,7 +9,7 @@ use crate::derivation::{Assumed, Goal, Source, first_goal, values_at};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort, InChain, Mended, Slips};
 
-use super::super::judge::{Found, Judge, taken};
+use super::super::judge::{Found, Judge, positive, taken};
 use super::super::{Judged, Outcome};
 
 /// After one of these a step integrates what stands before.
@@ -92,7 +92,6 @@ impl Judge<'_> {
             source: Source::Equation(before),
         };
         // What is divided by is not 0.
-        let positive = |own: &Symbol| taken(&Formula::positive(Expr::Symbol(own.clone())));
         let positive = constants.iter().map(positive);
         let assumed: Vec<Assumed> = [given].into_iter().chain(positive).collect();
         let claim = |assumed: &[Assumed], formula: &Formula| {

@@ -4,15 +4,14 @@
 //! Where it begins brings a symbol of its own along, so that it would say what that is. But along the law both sides change alike, wherever
 //! that is: it is refuted where they do not, and would with one small edit.
 
-use std::borrow::Cow;
-
-use crate::algebra::{Expr, Formula, Symbol, effort, split_subscript};
+use crate::algebra::{Expr, Formula, Symbol, effort};
 use crate::derivation::{Assumed, Goal, Source, renamed, values_at};
 use crate::kernel::Standing;
 use crate::search::{self, Decision, Effort, InChain, Mended, Slips};
 use crate::sorted::Set;
 
-use super::super::judge::{Found, Judge, taken};
+use super::super::instances::states;
+use super::super::judge::{Found, Judge, positive, taken};
 use super::obeys::{fixed_by, meant, order, refuted_of, speaks_of_course};
 use super::solution::value_of_its_own;
 
@@ -53,25 +52,19 @@ impl Judge<'_> {
         let names = goal.formula.names();
         let near = &self.others(premises)[0];
         let laws = || self.usable.assumed.iter().chain(near);
-        let of_goal = || {
-            let is_of_it = |own: &Course| own.is_among(&names);
-            laws().filter_map(course_of).find(is_of_it)
-        };
-        let of_states = || {
-            let moving = laws().filter_map(course_of);
-            { moving }.find_map(|own| between_states(goal, &names, own))
-        };
-        let (goal, course) = match of_goal() {
-            Some(course) => (Cow::Borrowed(goal), course),
+        let courses = || laws().filter_map(course_of);
+        let is_of_goal = |own: &Course| names.contains(&own.of) && names.contains(&own.variable);
+        let of_states = || courses().find_map(|own| between_states(goal, &names, own));
+        let (goal, course) = match courses().find(is_of_goal) {
+            Some(course) => (goal.clone(), course),
             None => of_states()?,
         };
-        let goal = &*goal;
         // What is solved for the quantity is looked at as a solution.
         let is_solved = |side: &&Expr| matches!(side, Expr::Symbol(own) if *own == course.of);
         if goal.formula.terms().iter().any(is_solved) {
             return None;
         }
-        effort::within(MOST_WORK, || self.held_along(goal, &course, laws()))
+        effort::within(MOST_WORK, || self.held_along(&goal, &course, laws()))
     }
 
     fn held_along<'a>(
@@ -101,7 +94,6 @@ impl Judge<'_> {
             held.retain(|own| own != of && own != variable);
             search::with_constants(self.derivation.claim(self.at, assumed, formula), held)
         };
-        let positive = |own: &Symbol| taken(&Formula::positive(Expr::Symbol(own.clone())));
         let along = constants.iter().chain([of, variable]);
         let positive: Vec<Assumed> = along.map(positive).collect();
         let changes_alike = |formula: &Formula| {
@@ -143,36 +135,32 @@ impl Judge<'_> {
             Some(formula.map_terms(|term| renamed(term, &rename)))
         };
         let decision = decide(&assumed, &own)?;
-        let begins_wrong = || decide(&positive, &in_first(&goal.formula)?);
-        let begins = match decision {
-            Decision::Proven { .. } => Some(begins_wrong()?),
+        // What is so along the law may still begin wrong.
+        let begun = match decision {
+            Decision::Proven { .. } => match decide(&positive, &in_first(&goal.formula)?)? {
+                Decision::Refuted(refuted) => Some(refuted),
+                _ => return None,
+            },
             _ => None,
         };
-        if matches!(begins, Some(Decision::Proven { .. })) {
-            return None;
-        }
         let bare = claim(&[], &goal.formula);
         let slips = Slips::of(&bare, &InChain::default(), None, values_at).and_rarer();
-        let is_shown = |assumed: &[Assumed], formula: &Formula| {
+        let shown = |assumed: &[Assumed], formula: &Formula| {
             search::prove_unconditionally(claim(assumed, formula), Effort::Full)
         };
         let (mended, near) = slips.take(MOST_EDITS).find_map(|edit| {
             let near = changes_alike(&edit.formula)?;
-            let derived = is_shown(&assumed, &near)?;
-            let begins_right = in_first(&edit.formula);
-            let begins_right = begins_right.is_none_or(|own| is_shown(&positive, &own).is_some());
-            begins_right.then(|| (Mended::of(derived.proven, edit.change), near))
+            let derived = shown(&assumed, &near)?;
+            if let Some(begins) = in_first(&edit.formula) {
+                shown(&positive, &begins)?;
+            }
+            Some((Mended::of(derived.proven, edit.change), near))
         })?;
-        if let (Some(Decision::Refuted(refuted)), Some(own)) = (begins, in_first(&goal.formula)) {
-            let mut found = refuted_of(goal, &own, &positive, refuted);
-            found.mended = Some(mended.into());
-            found.constant = constants.into_iter().collect();
-            return Some(found);
-        }
-        let mut found = match decision {
-            Decision::Refuted(refuted) => refuted_of(goal, &own, &assumed, refuted),
+        let mut found = match (begun, decision) {
+            (Some(refuted), _) => refuted_of(goal, &in_first(&goal.formula)?, &positive, refuted),
+            (None, Decision::Refuted(refuted)) => refuted_of(goal, &own, &assumed, refuted),
             // Where no point of the law is found, the side that was edited does not change as it should.
-            _ => {
+            (None, _) => {
                 let sides = own.terms().into_iter().zip(near.terms());
                 let (printed, meant) = { sides }.find(|(printed, meant)| printed != meant)?;
                 let same = Formula::equal(meant.clone(), printed.clone());
@@ -188,57 +176,33 @@ impl Judge<'_> {
     }
 }
 
-impl Course {
-    /// Whether symbols are of what changes and of what it changes with.
-    fn is_among(&self, names: &Set<Symbol>) -> bool {
-        names.contains(&self.of) && names.contains(&self.variable)
-    }
-}
-
 /// A relation between two states as one of any state and the first: `\ln\frac{K_2}{K_1} = c (\frac1{T_1} - \frac1{T_2})` of the law of `K` and
 /// `T`, `\ln\frac{K}{K_1} = c (\frac1{T_1} - \frac1T)`.
-fn between_states<'g>(
-    goal: &Goal,
-    names: &Set<Symbol>,
-    course: Course,
-) -> Option<(Cow<'g, Goal>, Course)> {
-    let Course { of, variable, .. } = &course;
-    // By the state that their subscripts name.
-    let states = |own: &Symbol| -> Vec<(&str, &Symbol)> {
-        let parts = names.iter().filter_map(|name| {
-            let (stem, state) = split_subscript(name.name())?;
-            (stem == own.name()).then_some((state, name))
-        });
-        let mut states: Vec<(&str, &Symbol)> = parts.collect();
-        states.sort_unstable();
-        states
-    };
-    let (own, at) = (states(of), states(variable));
-    let ([(start, own_first), (last, _)], [(other_start, at_first), (other_last, _)]) =
-        (&own[..], &at[..])
+fn between_states(goal: &Goal, names: &Set<Symbol>, course: Course) -> Option<(Goal, Course)> {
+    let (of, variable) = (&course.of, &course.variable);
+    if names.contains(of) || names.contains(variable) {
+        return None;
+    }
+    let (of_both, at_both) = (states(of, names), states(variable, names));
+    let ([(start, of_first), (last, of_last)], [(other_start, at_first), (other_last, at_last)]) =
+        (&of_both[..], &at_both[..])
     else {
         return None;
     };
-    if (start, last) != (other_start, other_last) || names.contains(of) || names.contains(variable)
-    {
+    if (start, last) != (other_start, other_last) {
         return None;
     }
-    let first = [*own_first, *at_first].map(Symbol::clone);
-    let of_state = |own: &Symbol| match split_subscript(own.name()) {
-        Some((stem, state)) if state == *last => {
-            let mut both = [of, variable].into_iter();
-            both.find(|own| own.name() == stem)
-        }
-        _ => None,
+    let rename = |own: &Symbol| match own {
+        own if own == *of_last => of.clone(),
+        own if own == *at_last => variable.clone(),
+        own => own.clone(),
     };
-    let rename = |own: &Symbol| of_state(own).unwrap_or(own).clone();
-    let formula = goal.formula.map_terms(|term| renamed(term, &rename));
     let goal = Goal {
-        formula,
+        formula: goal.formula.map_terms(|term| renamed(term, &rename)),
         ..goal.clone()
     };
-    let first = Some(first);
-    Some((Cow::Owned(goal), Course { first, ..course }))
+    let first = Some([(*of_first).clone(), (*at_first).clone()]);
+    Some((goal, Course { first, ..course }))
 }
 
 /// The law of the first order that a premise is, of what, and of what that changes with.

@@ -1,7 +1,7 @@
 //! What words before a step say of where it comes from, and is not checked: "By symmetry the best response of firm 2 is", "By induction".
 
 use crate::algebra::{Expr, Formula, Symbol, split_subscript};
-use crate::derivation::{Assumed, Goal, formulas, renamed, words_of};
+use crate::derivation::{Assumed, Goal, formulas, in_a_row, renamed, words_of};
 use crate::document::{GENERAL, Inline};
 use crate::sorted::Map;
 
@@ -212,9 +212,7 @@ impl Judge<'_> {
 
     /// Whether one of some words stands there, and one of others after it.
     pub(in crate::audit) fn says_in_a_row(&self, first: &[&str], next: &[&str]) -> bool {
-        let words = self.derivation.leading_words(self.at);
-        let are_these = |pair: &[String]| first.contains(&&*pair[0]) && next.contains(&&*pair[1]);
-        words.windows(2).any(are_these)
+        in_a_row(&self.derivation.leading_words(self.at), first, next)
     }
 
     /// The same of the last sentence before another display.

@@ -9,10 +9,11 @@ use crate::derivation::{Assumed, Goal, Source, renamed, values_at, words_of};
 use crate::document::Inline;
 use crate::notation::read_expr;
 use crate::search::{self, Change, Decision, Effort, InChain, Mended, Slips};
-use crate::sorted::Set;
+use crate::sorted::{Map, Set};
 
 use super::super::Judged;
-use super::super::judge::{Found, Judge, taken};
+use super::super::instances::states;
+use super::super::judge::{Found, Judge, positive, taken};
 use super::obeys::refuted_of;
 
 /// So much work is done for that, as [`effort`] counts it.
@@ -165,8 +166,7 @@ impl Judge<'_> {
         let symbols = symbols
             .into_iter()
             .filter(|own| !own.is_unit() && !page.is_number(own));
-        let positive = symbols.map(|own| taken(&Formula::positive(Expr::Symbol(own))));
-        all.extend(positive);
+        all.extend(symbols.map(|own| positive(&own)));
         let claim = |formula: &Formula| self.derivation.claim(self.at, &all, formula);
         let bare = claim(&goal.formula);
         let posed = self.pose_claim(bare.clone()).ok()?;
@@ -210,43 +210,33 @@ fn is_slip(change: &Change) -> bool {
 /// The two states of which a term has the same symbol, `\frac{T_2}{T_1}`.
 fn states_compared(term: &Expr, of: &Set<Symbol>) -> Vec<[String; 2]> {
     let names = Formula::names_in(std::iter::once(term));
-    let states = |own: &Symbol| -> Vec<String> {
-        let parts = names.iter().filter_map(|name| split_subscript(name.name()));
-        let of_it = parts.filter(|(stem, _)| *stem == own.name());
-        of_it.map(|(_, state)| state.to_owned()).collect()
-    };
-    let pair = |own: &Symbol| match &states(own)[..] {
-        [one, other] => Some([one.clone(), other.clone()]),
+    let pair = |own: &Symbol| match states(own, &names)[..] {
+        [(one, _), (other, _)] => Some([one.to_owned(), other.to_owned()]),
         _ => None,
     };
     of.iter().filter_map(pair).collect()
 }
 
-/// That a term is the same in two states: what has a name in both has these there, and the rest does not change.
+/// That a term is the same in two states: what has a name in some has these there, and the rest does not change.
 fn between(
     term: &Expr,
-    states: &[String; 2],
+    pair: &[String; 2],
     of: &Set<Symbol>,
     spoken: &Set<Symbol>,
 ) -> Option<Formula> {
-    let named = |own: &Symbol, state: &str| {
-        let mut all = spoken.iter();
-        all.find(|name| split_subscript(name.name()) == Some((own.name(), state)))
+    let known = of.iter().map(|own| (own, states(own, spoken)));
+    let known: Vec<(&Symbol, Vec<(&str, &Symbol)>)> =
+        known.filter(|(_, states)| !states.is_empty()).collect();
+    let there = |state: &String| {
+        let named = known.iter().map(|(own, states)| {
+            let (_, name) = states.iter().find(|(own, _)| own == state)?;
+            Some((*own, *name))
+        });
+        let named: Map<&Symbol, &Symbol> = named.collect::<Option<_>>()?;
+        Some(renamed(term, &|own: &Symbol| {
+            (*named.get(own).unwrap_or(&own)).clone()
+        }))
     };
-    let mut terms = Vec::new();
-    for state in states {
-        for own in of {
-            let names = states.each_ref().map(|state| named(own, state));
-            let has_some = spoken.iter().any(|name| {
-                split_subscript(name.name()).is_some_and(|(stem, _)| stem == own.name())
-            });
-            if names.iter().any(Option::is_none) && has_some {
-                return None;
-            }
-        }
-        let rename = |own: &Symbol| named(own, state).unwrap_or(own).clone();
-        terms.push(renamed(term, &rename));
-    }
-    let [one, other] = <[Expr; 2]>::try_from(terms).ok()?;
+    let (one, other) = (there(&pair[0])?, there(&pair[1])?);
     (one != other).then(|| Formula::equal(one, other))
 }

@@ -10,7 +10,7 @@ use crate::kernel::{Refuted, Standing};
 use crate::search::{self, Decision};
 use crate::sorted::Set;
 
-use super::super::judge::{Found, Judge, taken};
+use super::super::judge::{Found, Judge, positive, taken};
 use super::super::{Judged, Outcome, Verdict};
 use super::antiderivative::INTEGRATING;
 use super::borrowed::chain_of;
@@ -308,8 +308,7 @@ impl Judge<'_> {
         };
         // What swings and dies away has values that are known where the exponent is 0.
         let begins = Some(&variable).filter(|_| !is_damped_wave(&right, &variable, &fixed));
-        let positive = constants.iter().chain(begins);
-        let positive = positive.map(|own| taken(&Formula::positive(Expr::Symbol(own.clone()))));
+        let positive = constants.iter().chain(begins).map(positive);
         let assumed = [throughout(&solution)].into_iter().chain(meant);
         let assumed = assumed.chain(positive);
         let assumed = assumed.collect();

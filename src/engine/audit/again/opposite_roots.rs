@@ -1,8 +1,8 @@
 //! Equations with roots of opposite terms, `\lambda = -\gamma \pm \sqrt{\gamma^2 - \omega_0^2}` and `\omega_d = \sqrt{\omega_0^2 - \gamma^2}`:
 //! where one root is a number the other is imaginary, so that a step is drawn from one of them.
 
-use crate::algebra::{Atoms, Expr, Formula, Lowering};
-use crate::derivation::{Assumed, Source};
+use crate::algebra::{Expr, Formula};
+use crate::derivation::{Assumed, Source, comes_to_nothing};
 use crate::sorted::Set;
 
 use super::super::judge::Judge;
@@ -66,7 +66,5 @@ fn terms_below_roots(formula: &Formula) -> Vec<Expr> {
 
 /// Whether two terms add up to nothing.
 fn are_opposite(one: &Expr, other: &Expr) -> bool {
-    let sum = Expr::Sum([one.clone(), other.clone()].into());
-    let sum = Lowering::plain(&mut Atoms::default()).lower(&sum);
-    sum.is_ok_and(|sum| sum.is_zero())
+    comes_to_nothing(&Expr::Sum([one.clone(), other.clone()].into()))
 }

@@ -2,7 +2,7 @@
 //! three terms", "this is its energy also".
 
 use crate::algebra::{Expr, Formula};
-use crate::derivation::{Assumed, Goal, Source, first_goal, words_of};
+use crate::derivation::{Assumed, Goal, Source, first_goal, in_a_row, words_of};
 use crate::search::Change;
 
 use super::super::judge::{Found, Judge};
@@ -117,9 +117,7 @@ impl Judge<'_> {
         let text = self.derivation.text_before(self.at);
         let identifies = |sentence: &str| {
             let words: Vec<String> = words_of(sentence).collect();
-            let is =
-                |pair: &[String]| IDENTIFYING.contains(&&*pair[0]) && BEING.contains(&&*pair[1]);
-            words.windows(2).any(is) && words.iter().any(|own| TOO.contains(&&**own))
+            in_a_row(&words, &IDENTIFYING, &BEING) && words.iter().any(|own| TOO.contains(&&**own))
         };
         if text.split(['.', ';']).any(identifies) {
             found.leave_open("words say that two things are the same");
@@ -129,10 +127,6 @@ impl Judge<'_> {
     /// Whether the text since the display before says that something is otherwise now.
     fn has_changed(&self) -> bool {
         let words: Vec<String> = words_of(self.derivation.text_before(self.at)).collect();
-        let are = |pair: &[String], first: &[&str], next: &[&str]| {
-            first.contains(&&*pair[0]) && next.contains(&&*pair[1])
-        };
-        let mut pairs = words.windows(2);
-        pairs.any(|pair| are(pair, &NOW, &CONTAINING) || are(pair, &NO, &LONGER))
+        in_a_row(&words, &NOW, &CONTAINING) || in_a_row(&words, &NO, &LONGER)
     }
 }

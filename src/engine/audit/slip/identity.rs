@@ -71,8 +71,7 @@ impl Auditor<'_> {
         let mut symbols = goal.formula.free_symbols();
         let page = &self.derivation.pages[self.derivation.equations[how.at].page];
         symbols.retain(|own| !own.is_unit() && !page.is_number(own));
-        let positive = |own: &Symbol| judge::taken(&Formula::positive(Expr::Symbol(own.clone())));
-        let positive: Vec<Assumed> = symbols.iter().map(positive).collect();
+        let positive: Vec<Assumed> = symbols.iter().map(judge::positive).collect();
         // What stands outside of what runs is not run over.
         let runs = |part: &Expr| matches!(part, Expr::Integral { .. } | Expr::Limit { .. });
         let terms = goal.formula.terms();

@@ -22,8 +22,13 @@ const MOST_SAMPLES_WITH: u32 = 2;
 
 impl Auditor<'_> {
     /// Where all may be true that stands before a link.
-    pub(super) fn samples(&self, how: &Circumstances, entry: &Entry, goal: &Goal) -> Samples {
-        let judge = judge::Judge::new(self, how.at, how.usable);
+    pub(super) fn samples(
+        &self,
+        judge: &judge::Judge,
+        how: &Circumstances,
+        entry: &Entry,
+        goal: &Goal,
+    ) -> Samples {
         let links = entry.judged.iter().map(|own| &own.goal);
         let links = links.take_while(|own| own.sides != goal.sides);
         let links: Vec<Assumed> = links.map(|own| judge::step(&own.formula)).collect();
