@@ -1146,3 +1146,11 @@ fn rows_without_numbers_are_steps() {
     let chain = "a &= (b + c)^2 \\\\\n&= b^2 + 2 b c + c^2";
     assert_eq!(judged(chain, "align*").len(), 1);
 }
+
+/// Rows that share a number are named by it once.
+#[test]
+fn what_rows_of_one_number_say_together_is_named_once() {
+    let page = "We are given\n\n$$\n\\begin{aligned}\na &= 1, \\\\\na &= 2.\n\\end{aligned} \\tag{1}\n$$\n\nHence\n\n$$ a = 3. \\tag{2} $$\n";
+    let said = crate::common::human(&Derivation::from_markdown("a.md", page));
+    assert!(said.contains("what cannot all be true: (1)\n"), "{said}");
+}

@@ -102,10 +102,7 @@ impl<'a> Report<'a> {
     }
 
     pub(super) fn references(&self, equations: &[usize]) -> String {
-        // What bears the number of another is printed like it, and said once.
-        let mut told = BTreeSet::new();
-        let references = equations.iter().map(|&at| self.reference(at));
-        list(references.filter(|own| told.insert(own.clone())).collect())
+        list_once(equations.iter().map(|&at| self.reference(at)))
     }
 
     /// A source of hypotheses, in a sentence.
@@ -122,7 +119,7 @@ impl<'a> Report<'a> {
     }
 
     pub(super) fn sources(&self, sources: &[Source]) -> String {
-        list(sources.iter().map(|s| self.source(s)).collect())
+        list_once(sources.iter().map(|s| self.source(s)))
     }
 }
 
@@ -133,6 +130,12 @@ pub(super) fn list(mut items: Vec<String>) -> String {
         Some(last) if items.is_empty() => last,
         Some(last) => format!("{} and {last}", items.join(", ")),
     }
+}
+
+/// The same of names of which some may be alike: what bears the number of another is printed like it, and said once.
+fn list_once(names: impl Iterator<Item = String>) -> String {
+    let mut told = BTreeSet::new();
+    list(names.filter(|own| told.insert(own.clone())).collect())
 }
 
 /// A symbol as one reads it.
