@@ -26,10 +26,10 @@ const APART: f64 = 4e-3;
 const PIECES: u32 = 24;
 /// Where in each of them something is integrated, and with what weight (Abramowitz and Stegun, table 25.4, n = 5).
 const NODES: [(f64, f64); 5] = [
-    (0.0, 0.568_888_888_888_888_9),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
     (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
+    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
+    (0.0, 0.568_888_888_888_888_9),
+    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
 /// What is far enough for infinity.
@@ -57,6 +57,8 @@ pub struct Sample {
     clocks: Set<Symbol>,
     /// The symbols that count something.
     counted: Set<Symbol>,
+    /// Which of two symbols is said to be the smaller one: `a < r`.
+    ordered: Vec<[Symbol; 2]>,
     seed: u32,
     steps: Cell<u64>,
 }
@@ -73,11 +75,15 @@ impl Sample {
             values: Map::new(),
             clocks: Set::new(),
             counted: Set::new(),
+            ordered: Vec::new(),
             seed,
             steps: Cell::new(0),
         };
-        let equations = premises.into_iter().filter_map(Formula::as_equation);
-        let equations: Vec<(&Expr, &Expr)> = equations.take(MOST_PREMISES).collect();
+        let mut equations = Vec::new();
+        for premise in premises.into_iter().take(MOST_PREMISES) {
+            equations.extend(premise.as_equation());
+            sample.ordered.extend(ordered(premise));
+        }
         let terms = equations.iter().flat_map(|(one, other)| [*one, *other]);
         for term in terms.chain(goal.terms()) {
             collect_counted(term, &mut sample.counted);
@@ -128,6 +134,15 @@ impl Sample {
     /// Whether all values that were chosen or found are positive.
     pub fn is_positive(&self) -> bool {
         self.values.iter().all(|own| *own.1 > 0.0)
+    }
+
+    /// The same, and all that a formula speaks of as well.
+    pub fn is_positive_with(&self, formula: &Formula) -> bool {
+        let is_negative = |own: &Symbol| {
+            let value = self.symbol(own, &mut Vec::new(), 0);
+            value.is_some_and(|own| own <= 0.0)
+        };
+        self.is_positive() && !formula.free_symbols().iter().any(is_negative)
     }
 
     /// Takes a premise for what it says that a symbol is, if it says so plainly and that is not said in a circle.
@@ -284,14 +299,19 @@ impl Sample {
                     own.name() != COUNTING,
                 )
             });
-            let last = open.pop();
-            for symbol in &open {
+            for symbol in open.split_last().map_or(&[][..], |own| own.1) {
                 self.choose(symbol);
             }
-            if let Some(last) = last {
-                match self.root(one, other, &last) {
-                    Some(value) => drop(self.values.insert(last, value)),
-                    None => self.choose(&last),
+            // What is on both sides alike leaves another one no choice: `\frac{1}{\sqrt{μ ε ε_r}} = \frac{c}{\sqrt{ε_r}}`.
+            for symbol in open.iter().rev() {
+                let chosen = self.values.remove(symbol);
+                let root = self.root(one, other, symbol);
+                match root.or(chosen) {
+                    Some(value) => drop(self.values.insert(symbol.clone(), value)),
+                    None => self.choose(symbol),
+                }
+                if root.is_some() {
+                    break;
                 }
             }
         }
@@ -304,10 +324,37 @@ impl Sample {
         let share = share(symbol.name(), &[], self.seed);
         let value = match self.counted.contains(symbol) || symbol.name() == COUNTING {
             true => 2.0 + (3.0 * share).floor(),
-            false if self.seed < CLOSE_TOGETHER => 0.4 + 1.2 * share,
-            false => FARTHEST.powf(2.0 * share - 1.0),
+            false => match (self.nearest(symbol, true), self.nearest(symbol, false)) {
+                (Some(low), Some(high)) if low < high => low + (high - low) * (0.1 + 0.8 * share),
+                (Some(low), None) if low > 0.0 => low * (1.1 + share),
+                (None, Some(high)) if high > 0.0 => high * (0.2 + 0.7 * share),
+                _ if self.seed < CLOSE_TOGETHER => 0.4 + 1.2 * share,
+                _ => FARTHEST.powf(2.0 * share - 1.0),
+            },
         };
         self.values.insert(symbol.clone(), value);
+    }
+
+    /// The nearest value below a symbol, or above it, among those that are said to be there.
+    fn nearest(&self, symbol: &Symbol, below: bool) -> Option<f64> {
+        let (mut found, mut met, mut left) = (None, Set::new(), vec![symbol]);
+        while let Some(own) = left.pop() {
+            if !met.insert(own) {
+                continue;
+            }
+            for [low, high] in &self.ordered {
+                let (of, next) = if below { (high, low) } else { (low, high) };
+                if of != own {
+                    continue;
+                }
+                match (self.values.get(next), found) {
+                    (Some(&value), Some(known)) if (value > known) != below => {}
+                    (Some(&value), _) => found = Some(value),
+                    (None, _) => left.push(next),
+                }
+            }
+        }
+        found
     }
 
     /// Where both sides are the same for a value of a symbol, next to 1; nothing where they are the same for any.
@@ -447,14 +494,22 @@ impl Sample {
                 // What goes on without end mostly dies away soon.
                 let power = if (to - from).abs() >= FAR { 3 } else { 1 };
                 let end = |piece: u32| (f64::from(piece) / f64::from(PIECES)).powi(power);
-                let mut sum = 0.0;
+                let (mut sum, mut last) = (0.0, Vec::with_capacity(4));
                 // By Gauß and Legendre: what has no value at an end is integrated, too.
                 for piece in 0..PIECES {
                     let start = from + (to - from) * end(piece);
                     let width = from + (to - from) * end(piece + 1) - start;
                     for (off, weight) in NODES {
                         let at = start + width * (0.5 + 0.5 * off);
-                        sum += 0.5 * width * weight * self.with(variable, at, body, scope, next)?;
+                        let value = self.with(variable, at, body, scope, next)?;
+                        sum += 0.5 * width * weight * value;
+                        if last.len() == 4 {
+                            last.remove(0);
+                        }
+                        last.push(value);
+                        if is_pole(&last) {
+                            return None;
+                        }
                     }
                 }
                 Some(sum)
@@ -551,9 +606,37 @@ impl Sample {
     }
 }
 
+/// Which of two symbols a premise says to be the smaller one.
+fn ordered(premise: &Formula) -> Option<[Symbol; 2]> {
+    let Formula::Relation {
+        left: Expr::Symbol(left),
+        relation,
+        right: Expr::Symbol(right),
+    } = premise
+    else {
+        return None;
+    };
+    match relation {
+        Relation::Less | Relation::LessOrEqual => Some([left.clone(), right.clone()]),
+        Relation::Greater | Relation::GreaterOrEqual => Some([right.clone(), left.clone()]),
+        _ => None,
+    }
+}
+
 /// The name of how fast a symbol changes.
 fn slope(of: &Symbol, by: &Symbol) -> Symbol {
     Symbol::new(format!("\\slope{{{}}}{{{}}}", of.name(), by.name()))
+}
+
+/// Whether what takes these values one after another has a pole in their middle: it grows towards where its sign changes.
+fn is_pole(values: &[f64]) -> bool {
+    match values {
+        [far, near, beyond, farther] => {
+            let grows = |from: f64, to: f64| (0.0..1.0).contains(&(from / to));
+            near * beyond < 0.0 && grows(*far, *near) && grows(*farther, *beyond)
+        }
+        _ => false,
+    }
 }
 
 /// Units are those of the SI.

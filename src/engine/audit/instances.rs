@@ -182,10 +182,14 @@ impl Judge<'_> {
         if here < least || is_known || put.values().any(|own| names.contains(own)) {
             return None;
         }
-        // What keeps its name and depends on what differs is another one for each thing: `S_V` of `S_V/R^2 = 4 k T/R`.
+        // What keeps its name and depends on what differs is another one for each thing: `S_V` of `S_V/R^2 = 4 k T/R`, or the change that
+        // `\Delta G^\circ = -R T \ln K` is of.
         let keeps = |own: &&Symbol| !put.contains_key(*own);
-        let is_another =
-            |own: &Symbol| split_subscript(own.name()).is_some() && self.depends_on(own, &put);
+        let gives = |own: &Symbol| matches!(law.formula.as_equation(), Some((Expr::Symbol(of), _)) if of == own);
+        let is_change = |own: &Symbol| own.name().starts_with("\\Delta") && gives(own);
+        let is_another = |own: &Symbol| {
+            split_subscript(own.name()).is_some() && self.depends_on(own, &put) || is_change(own)
+        };
         if names.iter().filter(keeps).any(is_another) {
             return None;
         }

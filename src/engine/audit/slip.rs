@@ -140,7 +140,8 @@ impl Auditor<'_> {
                 is_stated && own.from.iter().any(is_guess)
             };
             let shown = shown.filter(|own| !is_guessed(own))?;
-            let refuted = || self.refuted_beside(how, &judged.goal, &shown);
+            let from = effort::altogether(MOST_WORK, || self.needed(how.at, &shown));
+            let refuted = || self.refuted_beside(how, &judged.goal, &shown, from);
             let refuted = effort::altogether(MOST_WORK, refuted)?;
             Some((at, refuted, shown))
         };

@@ -20,10 +20,12 @@ pub(super) fn decide(obligation: &Obligation, hints: &[Assignment]) -> Option<De
     let is_of_pi = |part: &Expr| part.is_root() && part.mentions(&pi);
     let mut terms = obligation.claim().formulas().flat_map(Formula::terms);
     let is_written = terms.any(|term| term.any(&|part| is_logarithm(part) || is_of_pi(part)));
-    // Of exponentials logarithms are taken.
+    // Of exponentials logarithms are taken, and beside `x` that of `x` is known nowhere but at 0: `\frac{x}{e^x - 1} = \frac{x}{e^x + 1}`.
+    let is_transcendental =
+        |own: &Expr| is_logarithm(own) || matches!(own, Expr::Call(Function::Exp, _));
     let mut atoms = obligation.problem().atoms.iter();
-    if !is_written && !atoms.any(|(_, atom)| matches!(atom, Atom::Opaque(own) if is_logarithm(own)))
-    {
+    let is_one = |own: &Atom| matches!(own, Atom::Opaque(own) if is_transcendental(own));
+    if !is_written && !atoms.any(|(_, atom)| is_one(atom)) {
         return None;
     }
     let mut claim = obligation.claim().clone();

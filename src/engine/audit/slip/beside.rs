@@ -1,24 +1,27 @@
 //! What is printed, refuted beside what should be printed: where all is true that this was shown from, both cannot be.
 
-use crate::algebra::{Expr, Formula, Symbol, product_of};
+use crate::algebra::{Expr, Formula, Symbol, effort, product_of};
 use crate::derivation::{Assumed, Goal};
-use crate::kernel::Standing;
+use crate::kernel::{Obligation, Standing};
 use crate::search::{self, Decision, Effort};
 
 use super::super::readings::Circumstances;
 use super::super::{Auditor, Judged, Outcome, judge};
 use super::Shown;
 
+/// How much work may be done to refute it from some premises; there are others that say less.
+const MOST_WORK: u64 = 1_000_000;
+
 impl Auditor<'_> {
-    /// What is printed, refuted where all is true that something near to it was shown from, and so that as well.
+    /// What is printed, refuted where all is true that something near to it was shown from, as far as that is needed, and so that as well.
     pub(super) fn refuted_beside(
         &self,
         how: &Circumstances,
         printed: &Goal,
         shown: &Shown,
+        from: Vec<Assumed>,
     ) -> Option<Judged> {
         let (at, usable) = (how.at, how.usable);
-        let from = self.needed(at, shown);
         let domains = &self.derivation.pages[self.derivation.equations[at].page].domains;
         let is_anything = |own: &Symbol| {
             let domain = domains.get(own);
@@ -26,7 +29,8 @@ impl Auditor<'_> {
         };
         let decided = |assumed: Vec<Assumed>, formula: Formula| {
             let claim = self.derivation.claim(at, &assumed, &formula);
-            let Decision::Refuted(refuted) = search::decide(claim, &self.hints()) else {
+            let decide = || search::decide(claim, &self.hints());
+            let Decision::Refuted(refuted) = effort::within(MOST_WORK, decide) else {
                 return None;
             };
             let goal = Goal {
@@ -80,14 +84,28 @@ impl Auditor<'_> {
     }
 
     /// What something is shown from: what it is not shown from may stand in the way of a point.
-    fn needed(&self, at: usize, shown: &Shown) -> Vec<Assumed> {
+    pub(super) fn needed(&self, at: usize, shown: &Shown) -> Vec<Assumed> {
         let mut assumed = shown.from.clone();
         // Nothing is shown from that, and of no point it is known whether it is true there.
         assumed.retain(|own| !own.formula.is_approximation());
-        let follows = |assumed: &[Assumed]| {
+        let posed = |assumed: &[Assumed]| {
             let claim = self.derivation.claim(at, assumed, &shown.formula);
-            search::prove_unconditionally(claim, Effort::Full).is_some()
+            search::pose(claim).ok()
         };
+        let proof = |posed: &Obligation| search::prove_posed(posed, Effort::Full);
+        let follows = |assumed: &[Assumed]| posed(assumed).is_some_and(|own| proof(&own).is_some());
+        // What is neither put in nor combined is mostly not needed, and much that is left out one by one costs a proof each.
+        let of_proof = || {
+            let posed = posed(&assumed)?;
+            let combined = proof(&posed)?.combined;
+            let is_used = |at: &usize| combined.contains(at) || posed.unfold().contains(at);
+            let used = (0..assumed.len()).filter(is_used);
+            let used: Vec<Assumed> = used.map(|at| assumed[at].clone()).collect();
+            (used.len() < assumed.len() && follows(&used)).then_some(used)
+        };
+        if let Some(used) = of_proof() {
+            assumed = used;
+        }
         for from in (0..assumed.len()).rev() {
             let own = assumed.remove(from);
             if !follows(&assumed) {

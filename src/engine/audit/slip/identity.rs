@@ -14,7 +14,7 @@ use super::super::entry::Entry;
 use super::super::readings::Circumstances;
 use super::super::stated::quantities;
 use super::super::{Auditor, Judged, Note, Outcome, Verdict, judge};
-use super::slips;
+use super::{samples, slips};
 
 /// How much work may be done for one link.
 const MOST_WORK: u64 = 1_000_000;
@@ -89,7 +89,10 @@ impl Auditor<'_> {
         };
         let witness = Some(refuted.witness());
         let slips = slips(statement, &entry.judged, goal, &bare, witness).and_rarer();
-        let plain = slips.filter(|edit| is_plain(&edit.change)).take(MOST_TRIED);
+        let samples = samples::anywhere(&goal.formula);
+        let is_likely = |own: &Formula| !samples.are_enough() || samples.are_true_with(own);
+        let plain = slips.such_that(is_likely);
+        let plain = plain.filter(|edit| is_plain(&edit.change)).take(MOST_TRIED);
         // What a link comes to is wrong sooner than what it begins with.
         let (later, first): (Vec<Edit>, Vec<Edit>) = plain.partition(|edit| edit.left_kept);
         let mut shown = later.into_iter().chain(first).filter_map(|edit| {

@@ -17,6 +17,8 @@ const MOST_SEEDS: u32 = 20;
 const MOST_STEPS: u64 = 1_000_000;
 const MOST_SAMPLES: usize = 3;
 const FEWEST_SAMPLES: usize = 2;
+/// So many are looked at for some where what the link speaks of is positive, too.
+const LOOKED_AT: usize = 8;
 /// So many times it is tried whether a law is true with what is near to a link.
 const MOST_SAMPLES_WITH: u32 = 2;
 
@@ -29,13 +31,22 @@ impl Auditor<'_> {
         entry: &Entry,
         goal: &Goal,
     ) -> Samples {
-        let links = entry.judged.iter().map(|own| &own.goal);
+        let mut all = entry.judged.iter();
+        let links = all.clone().map(|own| &own.goal);
         let links = links.take_while(|own| own.sides != goal.sides);
         let links: Vec<Assumed> = links.map(|own| judge::step(&own.formula)).collect();
+        // What laws say of particular things, `k_1 = A e^{-E/R T_1}`, it was judged from alone.
+        let own = all.find(|own| own.goal.sides == goal.sides);
+        let of_it = own.map_or(&[][..], |own| &own.assumed);
+        let is_new = |own: &&Assumed| {
+            let mut usable = how.usable.assumed.iter();
+            !usable.any(|other| other.formula == own.formula)
+        };
+        let of_it: Vec<Assumed> = of_it.iter().filter(is_new).cloned().collect();
         let [near, all] = judge.others(how.premises);
         let open = judge.open_before(how.premises);
         let with = |others| -> Vec<&Formula> {
-            let all = [&how.usable.assumed, &links, others, &open];
+            let all = [&how.usable.assumed, &links, &of_it, others, &open];
             all.into_iter().flatten().map(|own| &*own.formula).collect()
         };
         let mut sets = vec![with(near)];
@@ -57,9 +68,16 @@ impl Auditor<'_> {
         let mut of_any_sign = Vec::new();
         for premises in &sets {
             let mut found = where_true(premises, &goal.formula);
-            if found.iter().filter(|own| own.is_positive()).count() >= FEWEST_SAMPLES {
-                found.retain(Sample::is_positive);
-                return of(found);
+            let is_throughout = |own: &Sample| own.is_positive_with(&goal.formula);
+            for is_positive in [
+                &is_throughout as &dyn Fn(&Sample) -> bool,
+                &Sample::is_positive,
+            ] {
+                if found.iter().filter(|own| is_positive(own)).count() >= FEWEST_SAMPLES {
+                    found.retain(is_positive);
+                    found.truncate(MOST_SAMPLES);
+                    return of(found);
+                }
             }
             of_any_sign.push(found);
         }
@@ -71,6 +89,13 @@ impl Auditor<'_> {
         found.truncate(MOST_SAMPLES);
         of(found)
     }
+}
+
+/// Places at which a link has a value, whatever stands before it.
+pub(super) fn anywhere(goal: &Formula) -> Samples {
+    let mut found = where_true(&[], goal);
+    found.truncate(MOST_SAMPLES);
+    Samples::new(found, &[], goal)
 }
 
 /// Where all may be true that stands before a link.
@@ -161,15 +186,17 @@ fn seeds<'a>(premises: &'a [&Formula], goal: &'a Formula) -> impl Iterator<Item 
     samples.filter_map(|(own, has_value)| has_value.then_some(own))
 }
 
-/// Those of these places at which premises are true, as far as that can be told, until there are enough at which all is positive.
+/// Those of these places at which premises are true, as far as that can be told, until there are enough at which all is positive, with what
+/// the goal speaks of if that does not take long.
 fn where_true(premises: &[&Formula], goal: &Formula) -> Vec<Sample> {
     let is_false = |own: &Sample, premise: &Formula| own.holds(premise) == Some(false);
     let fits = |own: &Sample| !premises.iter().any(|premise| is_false(own, premise));
-    let (mut found, mut positive) = (Vec::new(), 0);
+    let (mut found, mut positive, mut throughout) = (Vec::new(), 0, 0);
     for own in seeds(premises, goal).filter(fits) {
         positive += usize::from(own.is_positive());
+        throughout += usize::from(own.is_positive_with(goal));
         found.push(own);
-        if positive == MOST_SAMPLES {
+        if throughout == MOST_SAMPLES || positive >= MOST_SAMPLES && found.len() >= LOOKED_AT {
             break;
         }
     }

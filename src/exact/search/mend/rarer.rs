@@ -89,6 +89,10 @@ impl Writer {
                     found(Change::Exponent, root(term.clone()));
                 }
             }
+            // `σ/N` for `σ/\sqrt N`: where there is a root, that is no rare slip.
+            Expr::Symbol(own) if !self.takes_roots && !own.is_unit() => {
+                found(Change::Exponent, root(term.clone()));
+            }
             // `L/(3 g)` for `L/(\sqrt3 g)`.
             Expr::Number(value) if self.takes_roots && *value > BigRational::one() => {
                 found(Change::Exponent, root(term.clone()));
