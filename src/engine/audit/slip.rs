@@ -21,7 +21,7 @@ use super::entry::Entry;
 use super::readings::Circumstances;
 use super::warranted::is_supposed;
 use super::{Auditor, Judged, Note, Outcome, Verdict, judge, stated};
-pub(super) use beside::but_names;
+pub(super) use beside::{between, but_names};
 
 /// How much work may be done for that in all, and for one edit.
 const MOST_WORK: u64 = 3_000_000;

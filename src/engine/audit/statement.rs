@@ -225,6 +225,7 @@ impl Auditor<'_> {
                 .or_else(|| judge.as_no_root_of_system(goal, how.premises))
                 .or_else(|| judge.as_no_integral(goal))
                 .or_else(|| judge.as_no_integral_of_law(goal, how.premises))
+                .or_else(|| judge.as_no_value_at_a_place(goal, how.premises))
         {
             links.contradicted = true;
             return Some(found);

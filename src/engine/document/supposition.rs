@@ -44,8 +44,8 @@ use self::introduction::{introduced, is_condition};
 use self::mathematics::{equals_a_name, is_letters, is_number};
 use self::reach::Reach;
 use self::words::{
-    CONCLUDING, DENYING, DOUBTFUL, HAVING, HYPOTHETICAL, KNOWN, NAMED_BEFORE, NAMING, NEGATING,
-    OF_CASES, REGIMES, ROOTS, UNDECIDED,
+    BEFORE_LONG, CONCLUDING, DENYING, DOUBTFUL, HAVING, HYPOTHETICAL, KNOWN, NAMED_BEFORE, NAMING,
+    NEGATING, OF_CASES, REGIMES, ROOTS, UNDECIDED,
 };
 use super::prose::{Placed, Token, ends_sentence, in_lower_case, lead};
 use super::words::Words;
@@ -291,6 +291,8 @@ impl Reader<'_> {
             let next = self.tokens.get(index + 1).map(|(token, _)| *token);
             word == "were" && matches!(next, Some(Token::Word(next)) if KNOWN.has(next))
         };
+        // "A long cable" is told of, "as long as" not.
+        let is_of_length = || word == "long" && !follows(index, self.tokens, &BEFORE_LONG);
         let begins = || !self.sentence.begun || follows_comma(index, self.tokens);
         if matches!(word, "since" | "because" | "as") && begins() {
             self.sentence.reason = Some(false);
@@ -302,7 +304,7 @@ impl Reader<'_> {
             && among(&DENYING)
         {
             *denied = true;
-        } else if among(&UNDECIDED) || among(&DENYING) && !told() {
+        } else if among(&UNDECIDED) && !is_of_length() || among(&DENYING) && !told() {
             self.sentence.factual = false;
             self.sentence.means &= among(&HYPOTHETICAL);
             if word != "without" {

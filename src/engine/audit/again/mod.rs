@@ -13,6 +13,7 @@
 mod against;
 mod antiderivative;
 mod approximated;
+mod at_places;
 pub(super) mod borrowed;
 mod compared;
 pub(super) mod conditions;

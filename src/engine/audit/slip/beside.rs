@@ -117,7 +117,7 @@ impl Auditor<'_> {
 }
 
 /// That what should be printed on one side is what is printed there: the other side is the same.
-fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
+pub(in crate::audit) fn between(shown: &Formula, printed: &Formula) -> Option<Formula> {
     let (left, right) = shown.as_equation()?;
     let (printed_left, printed_right) = printed.as_equation()?;
     if left == printed_left {

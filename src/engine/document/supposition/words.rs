@@ -302,6 +302,8 @@ pub(super) static UNDECIDED: Words = Words::of(&[
     "than",
     "before",
 ]);
+/// After these "long" says how far something is so.
+pub(super) static BEFORE_LONG: Words = Words::of(&["as", "so", "for"]);
 /// After these a fact is named also where a conclusion is drawn: "Hence, since $a = 2 c$".
 pub(super) static REASONS: Words = Words::of(&[
     "with", "since", "as", "because", "using", "where", "for", "by",

@@ -1,0 +1,235 @@
+//! What a law says at one of several places that have names: `v_p = \sqrt{\frac{2 \mu r_2}{r_1 (r_1 + r_2)}}` of `v^2 = \mu (\frac2r - \frac1a)`,
+//! "at the two ends".
+//!
+//! Which of the places it is words say, and are not understood; but what the new name stands for is made of their names, and is what the law
+//! says at one of them, or something else is meant. It is refuted where the law says so at none, and with one small edit would.
+
+use crate::algebra::{Expr, Formula, Symbol, effort, split_subscript};
+use crate::derivation::{Assumed, Goal, Source, values_at};
+use crate::kernel::{Refuted, Standing};
+use crate::search::{self, Change, Decision, Effort, InChain, Mended, Slips};
+use crate::sorted::Set;
+
+use super::super::instances::index;
+use super::super::judge::{Found, Judge, positive};
+use super::super::slip::between;
+use super::super::stated::quantities;
+use super::obeys::refuted_of;
+
+/// So much work is done for that, as [`effort`] counts it.
+const MOST_WORK: u64 = 2_000_000;
+/// So many laws are looked at, the nearest first, and so many places in each.
+const MOST_LAWS: usize = 2;
+const MOST_PLACES: usize = 4;
+/// So many edits are tried at each.
+const MOST_EDITS: usize = 60;
+
+/// What a law says at one place, and what else is known there.
+type There = Vec<Assumed>;
+
+impl Judge<'_> {
+    /// What to say of a new name for the value of a law at a place, where the law says so at no place that has a name.
+    pub(in crate::audit) fn as_no_value_at_a_place(
+        &self,
+        goal: &Goal,
+        premises: &[usize],
+    ) -> Option<Found> {
+        let (new, named) = self.defined_anew(goal)?;
+        let whole = new.without_subscript().filter(|_| index(new).is_some())?;
+        let is_plain = goal.is_said_outright() && goal.rounding.is_none();
+        let is_place = |own: &Symbol| split_subscript(own.name()).is_some();
+        if !is_plain || named.contains(&whole) || !named.iter().any(is_place) {
+            return None;
+        }
+        let [near, _] = self.others(premises);
+        let open = self.open_before(premises);
+        let known = || self.usable.assumed.iter().chain(near).chain(&open);
+        let is_law = |own: &&Assumed| {
+            matches!(own.source, Source::Equation(_))
+                && own.formula.as_equation().is_some()
+                && !own.formula.speaks_of_slopes()
+                && own.formula.names().contains(&whole)
+        };
+        let mut laws: Vec<&Assumed> = Vec::new();
+        for own in known().filter(is_law) {
+            if !laws.iter().any(|law| law.formula == own.formula) && laws.len() < MOST_LAWS {
+                laws.push(own);
+            }
+        }
+        let known: Vec<&Assumed> = known().collect();
+        let held = || {
+            let mut all = laws.iter();
+            all.find_map(|law| self.held_at_places(goal, (new, &whole), &named, law, &known))
+        };
+        effort::within(MOST_WORK, held)
+    }
+
+    fn held_at_places(
+        &self,
+        goal: &Goal,
+        (new, whole): (&Symbol, &Symbol),
+        named: &Set<Symbol>,
+        law: &Assumed,
+        known: &[&Assumed],
+    ) -> Option<Found> {
+        let places = self.places(law, whole, named, known)?;
+        let there = |of: &Symbol, place: &Vec<(Symbol, Symbol)>| -> There {
+            let put = place.iter().cloned().chain([(whole.clone(), of.clone())]);
+            let put: Vec<(Symbol, Symbol)> = put.collect();
+            let formula = put
+                .iter()
+                .fold((*law.formula).clone(), |formula, (own, at)| {
+                    formula.map_terms(|term| term.substitute(own, &Expr::Symbol(at.clone())))
+                });
+            let said = Assumed {
+                formula: formula.into(),
+                standing: Standing::AtPoint,
+                ..law.clone()
+            };
+            self.with_meanings(said, of, named, known)
+        };
+        let claim = |all: &There, formula: &Formula| self.derivation.claim(self.at, all, formula);
+        let is_shown = |all: &There, formula: &Formula| {
+            let claim = claim(all, formula);
+            search::prove_unconditionally(claim, Effort::Light).is_some()
+        };
+        // What has another name already is none of these: `v_p` at the one end, so `v_a` at the other.
+        let is_taken = |place: &Vec<(Symbol, Symbol)>| {
+            let mut others = known
+                .iter()
+                .filter_map(|own| Some((*own, own.formula.said_of()?.0)));
+            others.any(|(own, of)| {
+                of.without_subscript().as_ref() == Some(whole)
+                    && is_shown(&there(of, place), &own.formula)
+            })
+        };
+        let all: Vec<There> = places.iter().map(|place| there(new, place)).collect();
+        if all.iter().any(|own| is_shown(own, &goal.formula)) {
+            return None;
+        }
+        let (taken, free): (Vec<_>, Vec<_>) =
+            places.iter().zip(&all).partition(|own| is_taken(own.0));
+        let decide = |all: &There, formula: &Formula| {
+            let posed = self.pose_claim(claim(all, formula)).ok()?;
+            Some(self.decide(&posed))
+        };
+        free.into_iter().chain(taken).find_map(|(_, all)| {
+            let refuted = match decide(all, &goal.formula)? {
+                Decision::Refuted(refuted) => Some(refuted),
+                Decision::Open(_) => None,
+                Decision::Proven { .. } => return None,
+            };
+            let bare = claim(all, &goal.formula);
+            let witness = refuted.as_ref().map(Refuted::witness);
+            let slips = Slips::of(&bare, &InChain::default(), witness, values_at).and_rarer();
+            let slips = slips.filter(|edit| edit.left_kept && is_slip(&edit.change));
+            let (meant, mended) = slips.take(MOST_EDITS).find_map(|edit| {
+                let claim = claim(all, &edit.formula);
+                let derived = search::prove_unconditionally(claim, Effort::Light)?;
+                Some((edit.formula, Mended::of(derived.proven, edit.change)))
+            })?;
+            // What the law says there may be rational nowhere; both that and what is printed cannot be so.
+            let mut found = match refuted {
+                Some(refuted) => refuted_of(goal, &goal.formula, all, refuted),
+                None => {
+                    let between = between(&meant, &goal.formula)?;
+                    let symbols = between.free_symbols();
+                    let all: There = symbols.iter().map(positive).collect();
+                    let Decision::Refuted(refuted) = decide(&all, &between)? else {
+                        return None;
+                    };
+                    refuted_of(goal, &between, &all, refuted)
+                }
+            };
+            found.mended = Some(mended.into());
+            Some(found)
+        })
+    }
+
+    /// What may be put for what a law speaks of and the value does not: names of it that the value is made of, or what has a meaning.
+    fn places(
+        &self,
+        law: &Assumed,
+        whole: &Symbol,
+        named: &Set<Symbol>,
+        known: &[&Assumed],
+    ) -> Option<Vec<Vec<(Symbol, Symbol)>>> {
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        let mut open = law.formula.names();
+        open.retain(|own| {
+            own != whole && !named.contains(own) && !own.is_unit() && !page.is_number(own)
+        });
+        let is_of = |own: &Symbol, of: &Symbol| own.without_subscript().as_ref() == Some(of);
+        let (mut places, mut has_place) = (vec![Vec::new()], false);
+        for of in &open {
+            let own: Vec<&Symbol> = named.iter().filter(|own| is_of(own, of)).collect();
+            has_place |= !own.is_empty();
+            let put: Vec<Symbol> = match own.is_empty() {
+                false => own.into_iter().cloned().collect(),
+                true if is_said(of, known) => vec![of.clone()],
+                true => {
+                    let said = known.iter().filter_map(|own| own.formula.said_of());
+                    let said = said.map(|(own, _)| own).filter(|own| is_of(own, of));
+                    let mut said: Vec<Symbol> = said.cloned().collect();
+                    said.dedup();
+                    said
+                }
+            };
+            places = places
+                .iter()
+                .flat_map(|place: &Vec<(Symbol, Symbol)>| {
+                    put.iter().map(move |at| {
+                        let mut place = place.clone();
+                        place.push((of.clone(), at.clone()));
+                        place
+                    })
+                })
+                .collect();
+            if places.is_empty() || places.len() > MOST_PLACES {
+                return None;
+            }
+        }
+        has_place.then_some(places)
+    }
+
+    /// What is said there, with what says what else it speaks of, and the value, all positive.
+    fn with_meanings(
+        &self,
+        said: Assumed,
+        own: &Symbol,
+        named: &Set<Symbol>,
+        known: &[&Assumed],
+    ) -> There {
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        let mut spoken = said.formula.names();
+        spoken.extend(named.iter().cloned());
+        let mut all = vec![said];
+        for known in known {
+            let meaning = known.formula.said_of();
+            let is_meant = meaning.is_some_and(|(of, value)| {
+                of != own && spoken.contains(of) && quantities(value).is_subset(&spoken)
+            });
+            if is_meant && !all.iter().any(|other| other.formula == known.formula) {
+                all.push((*known).clone());
+            }
+        }
+        spoken.retain(|own| !own.is_unit() && !page.is_number(own));
+        all.extend(spoken.iter().map(positive));
+        all
+    }
+}
+
+/// Whether something says by a term what a symbol is.
+fn is_said(symbol: &Symbol, known: &[&Assumed]) -> bool {
+    let mut said = known.iter().filter_map(|own| own.formula.said_of());
+    said.any(|(of, _)| of == symbol)
+}
+
+/// Whether an edit leaves what is spoken of as it is, or takes one place for another.
+fn is_slip(change: &Change) -> bool {
+    use Change::{Coefficient, Exchanged, Exponent, Inverted, Sign, Symbol as Name};
+    matches!(
+        change,
+        Coefficient | Exchanged { .. } | Exponent | Inverted | Sign | Name { .. }
+    )
+}
