@@ -43,6 +43,7 @@ impl Judge<'_> {
         // "so that $f = v/\lambda$" tells a law, "$n = 2$" a value.
         let mut told = self.derivation.told(self.at);
         told.retain(|own| own.formula.names().len() > LEAST_INDEXED);
+        let before = self.just_before_what_is_cited(assumed);
         let laws = || assumed.iter().filter(said).chain(&told);
         let has_law = |symbol: &Symbol| {
             let mut terms = laws().flat_map(|own| own.formula.terms());
@@ -81,7 +82,7 @@ impl Judge<'_> {
         };
         // Where slopes vanish the place has a name, `V_c`, and nothing else needs one.
         let stationary = self.where_slopes_vanish(assumed);
-        let meant = laws().map(|law| (law, LEAST_INDEXED));
+        let meant = laws().chain(&before).map(|law| (law, LEAST_INDEXED));
         let meant = meant.chain(stationary.iter().map(|law| (law, 1)));
         let all =
             meant.flat_map(|law| indices.iter().filter_map(move |index| instance(law, index)));
@@ -92,6 +93,28 @@ impl Judge<'_> {
             true => all,
             false => Vec::new(),
         }
+    }
+
+    /// What stands just before a step that cites something else: "Using (4) to eliminate $q$ from the difference $H_1 - H_2$" after a law for
+    /// `H`.
+    fn just_before_what_is_cited(&self, assumed: &[Assumed]) -> Vec<Assumed> {
+        let before: Vec<usize> = self.derivation.display_before(self.at).collect();
+        let is_cited = |own: &Assumed| match own.source {
+            Source::Equation(at) => before.contains(&at),
+            _ => false,
+        };
+        let is_said = |own: &Assumed| matches!(own.source, Source::Equation(_));
+        if before.is_empty() || assumed.iter().any(is_cited) || !assumed.iter().any(is_said) {
+            return Vec::new();
+        }
+        let is_law = |own: &Assumed| {
+            matches!(own.source, Source::Equation(_))
+                && own.formula.as_equation().is_some()
+                && !own.formula.speaks_of_slopes()
+        };
+        let mut said = self.gathered(&before);
+        said.retain(is_law);
+        said
     }
 
     /// Whether a goal speaks of the place at which slopes are said to vanish, and nothing usable says what they are.

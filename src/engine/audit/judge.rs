@@ -271,6 +271,8 @@ impl Judge<'_> {
                 .as_no_solution(goal, premises, Some(&found.judged))
                 .or_else(|| self.as_no_integral_of_law(goal, premises))
                 .or_else(|| self.as_no_ratio_of_states(goal, &found.judged))
+                .or_else(|| self.as_no_frequency(goal, premises))
+                .or_else(|| self.as_no_zero(goal))
         {
             return own;
         }

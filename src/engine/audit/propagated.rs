@@ -38,9 +38,17 @@ impl Judge<'_> {
     ) -> Vec<Assumed> {
         let names = goal.formula.names();
         let measured: Vec<(Symbol, &Symbol)> = (names.iter())
-            .filter_map(|sigma| Some((measured(sigma)?, sigma)))
+            .filter_map(|sigma| Some((measured_by(sigma)?, sigma)))
             .collect();
-        if !(2..=MOST_MEASURED).contains(&measured.len()) || !self.says(&UNCERTAIN) {
+        // "and (3) with the exponents 1 and −2 gives": what is cited speaks of uncertainties.
+        let is_of_uncertainties = |own: &Assumed| {
+            let names = own.formula.names();
+            let uncertain = names.iter().filter(|own| measured_by(own).is_some());
+            matches!(own.source, Source::Equation(_)) && uncertain.count() >= 2
+        };
+        if !(2..=MOST_MEASURED).contains(&measured.len())
+            || !self.says(&UNCERTAIN) && !assumed.iter().any(is_of_uncertainties)
+        {
             return Vec::new();
         }
         let told = self.derivation.told(self.at);
@@ -86,7 +94,7 @@ impl Judge<'_> {
 }
 
 /// What a symbol is the standard uncertainty of: `v` of `\sigma_v`.
-fn measured(sigma: &Symbol) -> Option<Symbol> {
+fn measured_by(sigma: &Symbol) -> Option<Symbol> {
     let (stem, index) = split_subscript(sigma.name())?;
     (stem == SIGMA).then(|| Symbol::new(index))
 }

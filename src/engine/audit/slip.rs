@@ -50,8 +50,12 @@ impl Auditor<'_> {
         let judge = judge::Judge::new(self, how.at, how.usable);
         refuted.find_map(|at| {
             let shown = self.shown_for(&judge, statement, how, (entry, at))?;
-            let before = shown.links.into_iter().take(at);
-            Some((before.collect(), shown.mended))
+            let mut before: Vec<Judged> = shown.links.into_iter().take(at).collect();
+            // What is false and near to nothing that follows says nothing of the slip in another link.
+            for own in before.iter_mut().filter(|own| own.outcome.is_refuted()) {
+                own.outcome = Outcome::open(UNDECIDED);
+            }
+            Some((before, shown.mended))
         })
     }
 
@@ -375,10 +379,21 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
         let is_open = || matches!(own.outcome, Outcome::Open(_)) && was_open(own) && !goes_on(own);
         is_settled(own) || is_supported(own) || is_open()
     };
+    let is_false_still = |own: &Judged| {
+        let mut printed = printed.judged.iter();
+        let was_false = |other: &Judged| other.outcome.is_refuted();
+        own.outcome.is_refuted()
+            && !goes_on(own)
+            && printed.any(|other| other.goal.sides == own.goal.sides && was_false(other))
+    };
     let is_weighed = || edited.numeric.as_ref().is_none_or(|own| own.is_supported());
     match edited.verdict {
         Verdict::Holds => true,
         Verdict::Undecided | Verdict::Given => is_weighed() && edited.judged.iter().all(fits),
+        Verdict::Fails => edited
+            .judged
+            .iter()
+            .all(|own| fits(own) || is_false_still(own)),
         _ => false,
     }
 }

@@ -10,6 +10,7 @@ use crate::sorted::Set;
 
 use super::again::UNSAID;
 use super::again::there::There;
+use super::again::vanishing_there::is_of_zero;
 use super::entry::{blank, leave_open, verdict};
 use super::judge::{Found, Judge, UNCLEAR, beyond};
 use super::mark::mark;
@@ -226,6 +227,11 @@ impl Auditor<'_> {
                 .or_else(|| judge.as_no_integral(goal))
                 .or_else(|| judge.as_no_integral_of_law(goal, how.premises))
                 .or_else(|| judge.as_no_value_at_a_place(goal, how.premises))
+                .or_else(|| {
+                    let found = judge.as_no_frequency(goal, how.premises);
+                    found.filter(|own| own.judged.outcome.is_refuted())
+                })
+                .or_else(|| judge.as_no_zero(goal))
         {
             links.contradicted = true;
             return Some(found);
@@ -378,6 +384,7 @@ impl Auditor<'_> {
         if entry.verdict == Verdict::Fails
             && !equation.unread.is_empty()
             && !self.only_says_where_it_begins(equation, entry)
+            && !only_says_what_vanishes(equation, entry)
         {
             leave_open(entry, &self.unread(equation));
         }
@@ -532,6 +539,12 @@ impl Auditor<'_> {
             unread.join(", ")
         )
     }
+}
+
+/// Whether what was not understood only says what vanishes where a step has a name for that: "when the reactance vanishes".
+fn only_says_what_vanishes(equation: &Equation, entry: &Entry) -> bool {
+    let refuted = entry.refuted().map(|own| own.0);
+    equation.unread.len() == 1 && refuted.is_some_and(is_of_zero)
 }
 
 /// Whether something is judged from a slope that is said to be 0: what is put to 0 is that, and no new law.

@@ -11,7 +11,7 @@ use crate::notation::{BeforeKind, Clause, Statement, SyntaxError};
 use crate::sorted::Set;
 
 use super::Equation;
-use super::equation::all_terms;
+use super::equation::{all_terms, first_goal};
 use super::page::Page;
 
 /// What is written for a differential.
@@ -64,7 +64,8 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
             continue;
         };
         statements.iter_mut().for_each(relative::read);
-        let is_sign = |d: &&Symbol| takes_apart(statements, d, &slopes);
+        let is_sign =
+            |d: &&Symbol| takes_apart(statements, d, &slopes) || names_small_change(statements, d);
         let others: Vec<&Symbol> = quantities.iter().filter(is_sign).collect();
         let read = match others.is_empty() {
             true => written::read(statements, &signs),
@@ -83,7 +84,8 @@ pub(super) fn read(page: &mut Page, equations: &mut [Equation], spoken_of: &Set<
         }
     }
     along::follow(page, equations);
-    if signs.contains(&Symbol::new(DELTA)) {
+    let delta = Symbol::new(DELTA);
+    if signs.contains(&delta) || quantities.contains(&delta) {
         let names = Formula::names_in(all_terms(page, equations)).into_iter();
         page.small = names.filter(|own| own.name().starts_with(SMALL)).collect();
     }
@@ -102,6 +104,30 @@ fn slopes(page: &Page, equations: &[Equation]) -> Set<(Symbol, Symbol)> {
     let mut found = Set::new();
     all_terms(page, equations).for_each(|term| collect(term, &mut found));
     found
+}
+
+/// Whether statements have the sign of small changes only before symbols, and name such a change or set it against what changes:
+/// `\delta\nu = \frac{\Delta\nu}{F}`, `\frac{\lambda}{\delta\lambda} = m F`. Nobody says of a product what it is.
+fn names_small_change(statements: &[Statement], d: &Symbol) -> bool {
+    if d.name() != DELTA || Occurrences::of(statements, d).alone > 0 {
+        return false;
+    }
+    let change = |term: &Expr| match term {
+        Expr::Product(factors) => match &factors[..] {
+            [Expr::Symbol(sign), Expr::Symbol(own)] if sign == d => Some(own.clone()),
+            _ => None,
+        },
+        _ => None,
+    };
+    let is_of = |of: &Expr, change: Option<Symbol>| matches!((of, change), (Expr::Symbol(own), Some(changed)) if *own == changed);
+    let is_relative = |part: &Expr| match part {
+        Expr::Quotient(above, below) => is_of(above, change(below)) || is_of(below, change(above)),
+        _ => false,
+    };
+    let first = statements.iter().filter_map(first_goal);
+    let mut named = first.filter_map(|own| own.formula.as_equation().map(|own| own.0.clone()));
+    let terms = || statements.iter().flat_map(super::equation::terms);
+    named.any(|own| change(&own).is_some()) || terms().any(|term| term.any(&is_relative))
 }
 
 /// Whether statements have a letter only before what one of some slopes is a slope of, and by.

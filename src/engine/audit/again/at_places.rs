@@ -5,24 +5,20 @@
 //! says at one of them, or something else is meant. It is refuted where the law says so at none, and with one small edit would.
 
 use crate::algebra::{Expr, Formula, Symbol, effort, split_subscript};
-use crate::derivation::{Assumed, Goal, Source, values_at};
-use crate::kernel::{Refuted, Standing};
-use crate::search::{self, Change, Decision, Effort, InChain, Mended, Slips};
+use crate::derivation::{Assumed, Goal, Source};
+use crate::kernel::Standing;
+use crate::search::{self, Change, Effort};
 use crate::sorted::Set;
 
 use super::super::instances::index;
 use super::super::judge::{Found, Judge, positive};
-use super::super::slip::between;
 use super::super::stated::quantities;
-use super::obeys::refuted_of;
 
 /// So much work is done for that, as [`effort`] counts it.
 const MOST_WORK: u64 = 2_000_000;
 /// So many laws are looked at, the nearest first, and so many places in each.
 const MOST_LAWS: usize = 2;
 const MOST_PLACES: usize = 4;
-/// So many edits are tried at each.
-const MOST_EDITS: usize = 60;
 
 /// What a law says at one place, and what else is known there.
 type There = Vec<Assumed>;
@@ -109,41 +105,8 @@ impl Judge<'_> {
         }
         let (taken, free): (Vec<_>, Vec<_>) =
             places.iter().zip(&all).partition(|own| is_taken(own.0));
-        let decide = |all: &There, formula: &Formula| {
-            let posed = self.pose_claim(claim(all, formula)).ok()?;
-            Some(self.decide(&posed))
-        };
-        free.into_iter().chain(taken).find_map(|(_, all)| {
-            let refuted = match decide(all, &goal.formula)? {
-                Decision::Refuted(refuted) => Some(refuted),
-                Decision::Open(_) => None,
-                Decision::Proven { .. } => return None,
-            };
-            let bare = claim(all, &goal.formula);
-            let witness = refuted.as_ref().map(Refuted::witness);
-            let slips = Slips::of(&bare, &InChain::default(), witness, values_at).and_rarer();
-            let slips = slips.filter(|edit| edit.left_kept && is_slip(&edit.change));
-            let (meant, mended) = slips.take(MOST_EDITS).find_map(|edit| {
-                let claim = claim(all, &edit.formula);
-                let derived = search::prove_unconditionally(claim, Effort::Light)?;
-                Some((edit.formula, Mended::of(derived.proven, edit.change)))
-            })?;
-            // What the law says there may be rational nowhere; both that and what is printed cannot be so.
-            let mut found = match refuted {
-                Some(refuted) => refuted_of(goal, &goal.formula, all, refuted),
-                None => {
-                    let between = between(&meant, &goal.formula)?;
-                    let symbols = between.free_symbols();
-                    let all: There = symbols.iter().map(positive).collect();
-                    let Decision::Refuted(refuted) = decide(&all, &between)? else {
-                        return None;
-                    };
-                    refuted_of(goal, &between, &all, refuted)
-                }
-            };
-            found.mended = Some(mended.into());
-            Some(found)
-        })
+        let mut all = free.into_iter().chain(taken);
+        all.find_map(|(_, all)| self.one_slip_away(goal, all, is_slip))
     }
 
     /// What may be put for what a law speaks of and the value does not: names of it that the value is made of, or what has a meaning.

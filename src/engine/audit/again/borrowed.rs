@@ -207,7 +207,7 @@ impl Judge<'_> {
     }
 
     /// What the text tells here, and what equations that are not cited offer.
-    pub(super) fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
+    pub(in crate::audit) fn gathered(&self, equations: &[usize]) -> Vec<Assumed> {
         let own = &self.usable.assumed;
         let offer = |premise| self.auditor.offer(self.at, premise);
         let offered = usable(self.derivation, offer, self.at, equations).assumed;

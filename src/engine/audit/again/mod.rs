@@ -21,6 +21,7 @@ mod determined;
 mod driven;
 pub(super) mod expanded;
 mod going_on;
+mod harmonic;
 mod implicit;
 mod in_words;
 mod invariant;
@@ -29,6 +30,7 @@ pub(super) mod limiting;
 mod lingering;
 mod named;
 mod obeys;
+mod one_slip_away;
 mod opposite_roots;
 mod otherwise;
 mod overlooked;
@@ -43,6 +45,7 @@ pub(super) mod throughout;
 mod twice;
 pub(super) mod unitless;
 mod unstated;
+pub(super) mod vanishing_there;
 mod worded;
 
 /// Why a step is left open that nothing shows: what stands before is not all that it may be meant to follow from.

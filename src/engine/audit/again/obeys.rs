@@ -259,7 +259,6 @@ impl Judge<'_> {
         moved.retain(|own| left.mentions(own) && !right.mentions(own));
         let of = moved.pop_first().filter(|_| moved.is_empty())?;
         let (left, right) = without_factors(&left, &right, &of).unwrap_or((left, right));
-        let solution = Formula::equal(left, right.clone());
         let is_law = |own: &&Assumed| {
             (own.standing == Standing::Identity || speaks_of_course(&own.formula, &of, &variable))
                 && matches!(own.source, Source::Equation(_))
@@ -287,6 +286,8 @@ impl Judge<'_> {
         if !in_general && law.formula == said {
             return None;
         }
+        let right = without_constant(&left, &right, &law.formula, &of).unwrap_or(right);
+        let solution = Formula::equal(left, right.clone());
         // Nothing else moves, and nothing else is known of what stands in it.
         let mut constants = solution.free_symbols();
         constants.extend(law.formula.free_symbols());
@@ -537,6 +538,41 @@ fn is_damped_wave(term: &Expr, variable: &Symbol, fixed: &Set<Symbol>) -> bool {
         _ => false,
     });
     has(&[Exp]) && has(&[Sin, Cos]) && !brings_rates
+}
+
+/// What a slope is said to be but for the constant of its integration, `C` of `E I \frac{dv}{dx} = -\frac{w x^3}{6} + C`, of which a law says
+/// nothing that speaks of how that slope changes alone.
+fn without_constant(left: &Expr, right: &Expr, law: &Formula, of: &Symbol) -> Option<Expr> {
+    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { body, .. } if **body == Expr::Symbol(of.clone()));
+    let changes = |part: &Expr| matches!(part, Expr::Derivative { body, .. } if is_slope(body));
+    let of_law = law.names();
+    fn speaks(term: &Expr, of: &Symbol, changes: &impl Fn(&Expr) -> bool) -> bool {
+        match term {
+            Expr::Symbol(own) => own == of,
+            term => !changes(term) && term.children().any(|part| speaks(part, of, changes)),
+        }
+    }
+    let speaks_of_it = law
+        .terms()
+        .into_iter()
+        .any(|term| speaks(term, of, &changes));
+    let Expr::Sum(items) = right else {
+        return None;
+    };
+    if !left.any(&is_slope) || speaks_of_it {
+        return None;
+    }
+    let is_constant = |item: &Expr| matches!(item, Expr::Symbol(own) if !of_law.contains(own));
+    let rest: Vec<Expr> = items
+        .iter()
+        .filter(|own| !is_constant(own))
+        .cloned()
+        .collect();
+    match rest.len() {
+        0 => None,
+        1 => rest.into_iter().next(),
+        len => (len < items.len()).then(|| Expr::Sum(rest.into())),
+    }
 }
 
 /// What stands below a derivative and is not what is differentiated by.
