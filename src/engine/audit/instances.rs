@@ -25,6 +25,8 @@ const MOST_LEVEL: usize = 3;
 const HEIGHTS: [&str; 3] = ["h", "y", "z"];
 /// How names write a prime.
 const PRIME: &str = "'";
+/// So many equations of the display before are laws for particular things where something else is cited.
+const MOST_JUST_BEFORE: usize = 8;
 /// A step compares few things.
 const MOST_INDICES: usize = 4;
 
@@ -98,7 +100,8 @@ impl Judge<'_> {
     /// What stands just before a step that cites something else: "Using (4) to eliminate $q$ from the difference $H_1 - H_2$" after a law for
     /// `H`.
     fn just_before_what_is_cited(&self, assumed: &[Assumed]) -> Vec<Assumed> {
-        let before: Vec<usize> = self.derivation.display_before(self.at).collect();
+        let before = self.derivation.display_before(self.at).rev();
+        let before: Vec<usize> = before.take(MOST_JUST_BEFORE).collect();
         let is_cited = |own: &Assumed| match own.source {
             Source::Equation(at) => before.contains(&at),
             _ => false,

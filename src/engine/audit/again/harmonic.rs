@@ -5,7 +5,8 @@
 //! small edit.
 
 use crate::algebra::{Expr, Formula, Function, Symbol, effort, product_of};
-use crate::derivation::{Assumed, Goal, dotted, without_dots, words_of};
+use crate::derivation::{Assumed, Goal, Source, dotted, without_dots, words_of};
+use crate::kernel::Standing;
 use crate::search::Decision;
 use crate::sorted::Set;
 
@@ -172,7 +173,13 @@ impl Judge<'_> {
 fn swing_of(own: &Assumed, is_small: bool) -> Option<Swing> {
     own.formula.as_equation()?;
     let names = own.formula.names();
-    let accelerated = names.iter().find_map(|name| Some((name, undotted(name)?)));
+    let mut accelerated = names
+        .iter()
+        .filter_map(|name| Some((name, undotted(name)?)));
+    let (accelerated, other) = (accelerated.next(), accelerated.next());
+    if other.is_some() {
+        return None;
+    }
     let (of, speed, acceleration) = match accelerated {
         Some((name, of)) => {
             let speed = Expr::Symbol(dotted(&of, false));
@@ -204,10 +211,16 @@ fn swing_of(own: &Assumed, is_small: bool) -> Option<Swing> {
         still.any(&|part| *part == speed || matches!(part, Expr::Derivative { .. }))
     };
     let swings = !formula.terms().into_iter().any(is_slowed);
+    // For small angles it is not as it is printed.
+    let source = match formula == *own.formula {
+        true => own.source,
+        false => Source::Taken,
+    };
     swings.then(|| Swing {
         law: Assumed {
             formula: formula.into(),
-            ..own.clone()
+            standing: Standing::AtPoint,
+            source,
         },
         of,
         acceleration,
