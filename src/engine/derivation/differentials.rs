@@ -124,10 +124,19 @@ fn names_small_change(statements: &[Statement], d: &Symbol) -> bool {
         Expr::Quotient(above, below) => is_of(above, change(below)) || is_of(below, change(above)),
         _ => false,
     };
+    // `\delta (b + c)` is a product.
+    let stands_otherwise = |part: &Expr| match part {
+        Expr::Product(factors) => (0..factors.len()).any(|at| {
+            let is_sign = matches!(&factors[at], Expr::Symbol(own) if own == d);
+            is_sign && !matches!(factors.get(at + 1), Some(Expr::Symbol(_)))
+        }),
+        _ => false,
+    };
     let first = statements.iter().filter_map(first_goal);
     let mut named = first.filter_map(|own| own.formula.as_equation().map(|own| own.0.clone()));
     let terms = || statements.iter().flat_map(super::equation::terms);
-    named.any(|own| change(&own).is_some()) || terms().any(|term| term.any(&is_relative))
+    !terms().any(|term| term.any(&stands_otherwise))
+        && (named.any(|own| change(&own).is_some()) || terms().any(|term| term.any(&is_relative)))
 }
 
 /// Whether statements have a letter only before what one of some slopes is a slope of, and by.
