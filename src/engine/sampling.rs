@@ -494,7 +494,7 @@ impl Sample {
                 // What goes on without end mostly dies away soon.
                 let power = if (to - from).abs() >= FAR { 3 } else { 1 };
                 let end = |piece: u32| (f64::from(piece) / f64::from(PIECES)).powi(power);
-                let (mut sum, mut last) = (0.0, Vec::with_capacity(4));
+                let (mut sum, mut last) = (0.0, [f64::NAN; 4]);
                 // By Gauß and Legendre: what has no value at an end is integrated, too.
                 for piece in 0..PIECES {
                     let start = from + (to - from) * end(piece);
@@ -503,11 +503,8 @@ impl Sample {
                         let at = start + width * (0.5 + 0.5 * off);
                         let value = self.with(variable, at, body, scope, next)?;
                         sum += 0.5 * width * weight * value;
-                        if last.len() == 4 {
-                            last.remove(0);
-                        }
-                        last.push(value);
-                        if is_pole(&last) {
+                        last = [last[1], last[2], last[3], value];
+                        if is_pole(last) {
                             return None;
                         }
                     }
@@ -629,14 +626,9 @@ fn slope(of: &Symbol, by: &Symbol) -> Symbol {
 }
 
 /// Whether what takes these values one after another has a pole in their middle: it grows towards where its sign changes.
-fn is_pole(values: &[f64]) -> bool {
-    match values {
-        [far, near, beyond, farther] => {
-            let grows = |from: f64, to: f64| (0.0..1.0).contains(&(from / to));
-            near * beyond < 0.0 && grows(*far, *near) && grows(*farther, *beyond)
-        }
-        _ => false,
-    }
+fn is_pole([far, near, beyond, farther]: [f64; 4]) -> bool {
+    let grows = |from: f64, to: f64| (0.0..1.0).contains(&(from / to));
+    near * beyond < 0.0 && grows(far, near) && grows(farther, beyond)
 }
 
 /// Units are those of the SI.

@@ -45,7 +45,6 @@ impl Judge<'_> {
         // "so that $f = v/\lambda$" tells a law, "$n = 2$" a value.
         let mut told = self.derivation.told(self.at);
         told.retain(|own| own.formula.names().len() > LEAST_INDEXED);
-        let before = self.just_before_what_is_cited(assumed);
         let laws = || assumed.iter().filter(said).chain(&told);
         let has_law = |symbol: &Symbol| {
             let mut terms = laws().flat_map(|own| own.formula.terms());
@@ -84,6 +83,7 @@ impl Judge<'_> {
         };
         // Where slopes vanish the place has a name, `V_c`, and nothing else needs one.
         let stationary = self.where_slopes_vanish(assumed);
+        let before = self.just_before_what_is_cited(assumed);
         let meant = laws().chain(&before).map(|law| (law, LEAST_INDEXED));
         let meant = meant.chain(stationary.iter().map(|law| (law, 1)));
         let all =

@@ -369,6 +369,13 @@ impl Judge<'_> {
         found
     }
 
+    /// That each of some symbols that stands for a quantity is meant to be positive.
+    pub(super) fn meant_positive(&self, symbols: Set<Symbol>) -> Vec<Assumed> {
+        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
+        let quantities = symbols.iter().filter(|own| page.is_quantity(own));
+        quantities.map(positive).collect()
+    }
+
     /// What a goal is judged from, where nothing else is needed.
     pub(super) fn cited(
         &self,

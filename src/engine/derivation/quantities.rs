@@ -20,6 +20,11 @@ impl Page {
         is_number(symbol) && !self.domains.contains_key(symbol)
     }
 
+    /// Whether a symbol stands for neither a number nor a unit.
+    pub fn is_quantity(&self, symbol: &Symbol) -> bool {
+        !symbol.is_unit() && !self.is_number(symbol)
+    }
+
     /// Takes up what prose says that symbols are. Of what it says to be quantities of two kinds neither is kept.
     pub(super) fn name_quantities(&mut self, quantities: &[Quantity]) {
         for quantity in quantities {

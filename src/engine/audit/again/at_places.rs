@@ -4,14 +4,14 @@
 //! Which of the places it is words say, and are not understood; but what the new name stands for is made of their names, and is what the law
 //! says at one of them, or something else is meant. It is refuted where the law says so at none, and with one small edit would.
 
-use crate::algebra::{Expr, Formula, Symbol, effort, split_subscript};
-use crate::derivation::{Assumed, Goal, Source};
+use crate::algebra::{Formula, Symbol, effort, split_subscript};
+use crate::derivation::{Assumed, Goal, Source, renamed};
 use crate::kernel::Standing;
 use crate::search::{self, Change, Effort};
 use crate::sorted::Set;
 
 use super::super::instances::index;
-use super::super::judge::{Found, Judge, positive};
+use super::super::judge::{Found, Judge};
 use super::super::stated::quantities;
 
 /// So much work is done for that, as [`effort`] counts it.
@@ -70,13 +70,12 @@ impl Judge<'_> {
     ) -> Option<Found> {
         let places = self.places(law, whole, named, known)?;
         let there = |of: &Symbol, place: &Vec<(Symbol, Symbol)>| -> There {
-            let put = place.iter().cloned().chain([(whole.clone(), of.clone())]);
-            let put: Vec<(Symbol, Symbol)> = put.collect();
-            let formula = put
-                .iter()
-                .fold((*law.formula).clone(), |formula, (own, at)| {
-                    formula.map_terms(|term| term.substitute(own, &Expr::Symbol(at.clone())))
-                });
+            let rename = |own: &Symbol| match place.iter().find(|(named, _)| named == own) {
+                Some((_, there)) => there.clone(),
+                None if own == whole => of.clone(),
+                None => own.clone(),
+            };
+            let formula = law.formula.map_terms(|term| renamed(term, &rename));
             let said = Assumed {
                 formula: formula.into(),
                 standing: Standing::AtPoint,
@@ -103,10 +102,11 @@ impl Judge<'_> {
         if all.iter().any(|own| is_shown(own, &goal.formula)) {
             return None;
         }
-        let (taken, free): (Vec<_>, Vec<_>) =
-            places.iter().zip(&all).partition(|own| is_taken(own.0));
-        let mut all = free.into_iter().chain(taken);
-        all.find_map(|(_, all)| self.one_slip_away(goal, all, is_slip))
+        let (taken, mut free): (Vec<_>, Vec<_>) =
+            places.iter().zip(all).partition(|own| is_taken(own.0));
+        free.extend(taken);
+        let all: Vec<There> = free.into_iter().map(|own| own.1).collect();
+        self.one_slip_away_from_each(goal, &all, is_slip)
     }
 
     /// What may be put for what a law speaks of and the value does not: names of it that the value is made of, or what has a meaning.
@@ -119,9 +119,7 @@ impl Judge<'_> {
     ) -> Option<Vec<Vec<(Symbol, Symbol)>>> {
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let mut open = law.formula.names();
-        open.retain(|own| {
-            own != whole && !named.contains(own) && !own.is_unit() && !page.is_number(own)
-        });
+        open.retain(|own| own != whole && !named.contains(own) && page.is_quantity(own));
         let is_of = |own: &Symbol, of: &Symbol| own.without_subscript().as_ref() == Some(of);
         let (mut places, mut has_place) = (vec![Vec::new()], false);
         for of in &open {
@@ -163,7 +161,6 @@ impl Judge<'_> {
         named: &Set<Symbol>,
         known: &[&Assumed],
     ) -> There {
-        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let mut spoken = said.formula.names();
         spoken.extend(named.iter().cloned());
         let mut all = vec![said];
@@ -176,8 +173,7 @@ impl Judge<'_> {
                 all.push((*known).clone());
             }
         }
-        spoken.retain(|own| !own.is_unit() && !page.is_number(own));
-        all.extend(spoken.iter().map(positive));
+        all.extend(self.meant_positive(spoken));
         all
     }
 }

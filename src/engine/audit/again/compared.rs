@@ -86,18 +86,17 @@ fn equated(laws: &[&Assumed]) -> Vec<Vec<Assumed>> {
         .filter_map(|own| Some((*own, own.formula.as_equation()?)));
     let mut sides: Vec<(&Assumed, (&Expr, &Expr))> = sides.collect();
     // What a chain begins with is what it ends with, `\frac{Y}{R} = \frac{K G}{1 + K G} = \frac{K b}{s^2 + a s + K b}`.
-    for at in 0..sides.len() {
+    let links = sides.len();
+    for at in 0..links {
         let (own, (left, mut end)) = sides[at];
-        let mut links = sides[at + 1..].iter();
-        let ends = links.by_ref().map_while(|(next, (start, other))| {
-            let goes_on = next.source == own.source && *start == end;
-            goes_on.then(|| {
-                end = other;
-                *other
-            })
-        });
-        let ends: Vec<&Expr> = ends.collect();
-        sides.extend(ends.into_iter().map(|end| (own, (left, end))));
+        for next in at + 1..links {
+            let (other, (start, right)) = sides[next];
+            if other.source != own.source || start != end {
+                break;
+            }
+            end = right;
+            sides.push((own, (left, end)));
+        }
     }
     let mut found: Vec<Vec<Assumed>> = (sides.iter())
         .filter(|(_, (left, right))| is_written(left) && is_written(right))

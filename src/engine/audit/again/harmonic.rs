@@ -4,13 +4,15 @@
 //! What swings at `\omega` obeys `\ddot x = -\omega^2 x`. A frequency or a period is refuted where its law does not say that, and would with one
 //! small edit.
 
+use std::cmp::Reverse;
+
 use crate::algebra::{Expr, Formula, Function, Symbol, effort, product_of};
 use crate::derivation::{Assumed, Goal, Source, dotted, without_dots, words_of};
 use crate::kernel::Standing;
 use crate::search::Decision;
 use crate::sorted::Set;
 
-use super::super::judge::{Found, Judge, positive, taken};
+use super::super::judge::{Found, Judge, taken};
 use super::super::{Judged, Outcome};
 use super::obeys::order;
 
@@ -101,17 +103,14 @@ impl Judge<'_> {
             .collect();
         let is_small = self.speaks_of_small();
         let named = value.free_symbols();
-        let mut swings: Vec<Swing> = known
-            .iter()
-            .filter_map(|own| swing_of(own, is_small))
-            .collect();
+        let swings = known.iter().filter_map(|own| swing_of(own, is_small));
         // The law is that which speaks most of what the value is made of, the nearest of these.
         let spoken = |own: &Swing| {
             let names = own.law.formula.names();
             named.iter().filter(|own| names.contains(*own)).count()
         };
-        swings.sort_by_key(|own| std::cmp::Reverse(spoken(own)));
-        let swing = swings.into_iter().next().filter(|own| spoken(own) > 0)?;
+        let swing = swings.min_by_key(|own| Reverse(spoken(own)));
+        let swing = swing.filter(|own| spoken(own) > 0)?;
         effort::within(MOST_WORK, || {
             self.held_to(goal, (rate, kind), &swing, &known)
         })
@@ -124,7 +123,6 @@ impl Judge<'_> {
         swing: &Swing,
         known: &[&Assumed],
     ) -> Option<Found> {
-        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let mut spoken = swing.law.formula.names();
         spoken.extend(goal.formula.names());
         // What the law speaks of may have been worked out before.
@@ -141,20 +139,20 @@ impl Judge<'_> {
             .flat_map(|own| own.formula.free_symbols())
             .collect();
         symbols.extend(goal.formula.free_symbols());
-        symbols.retain(|own| !own.is_unit() && !page.is_number(own) && undotted(own).is_none());
-        all.extend(symbols.iter().map(positive));
+        symbols.retain(|own| undotted(own).is_none());
+        all.extend(self.meant_positive(symbols));
         let rate = kind.squared(Expr::Symbol(rate.clone()));
         let pull = product_of(vec![rate, swing.of.clone()]);
         let swings = Formula::equal(swing.acceleration.clone(), Expr::Negate(pull.into()));
         all.push(taken(&swings));
-        if let Some(Decision::Proven { .. }) = self.decide_from(&all, &goal.formula) {
-            return Some(Found::open(Judged {
+        match self.decide_from(&all, &goal.formula)? {
+            Decision::Proven { .. } => Some(Found::open(Judged {
                 goal: goal.clone(),
                 assumed: all,
                 outcome: Outcome::open(FOLLOWS),
-            }));
+            })),
+            decision => self.one_slip_away(goal, &all, decision, |_| true),
         }
-        self.one_slip_away(goal, &all, |_| true)
     }
 
     /// Whether the text before says that something is small.

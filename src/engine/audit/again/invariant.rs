@@ -13,7 +13,7 @@ use crate::sorted::{Map, Set};
 
 use super::super::Judged;
 use super::super::instances::states;
-use super::super::judge::{Found, Judge, positive, taken};
+use super::super::judge::{Found, Judge, taken};
 use super::obeys::refuted_of;
 
 /// So much work is done for that, as [`effort`] counts it.
@@ -157,16 +157,9 @@ impl Judge<'_> {
         }
         all.extend(steps.iter().cloned());
         all.extend(known);
-        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
-        let symbols: Set<Symbol> = all
-            .iter()
-            .flat_map(|own| own.formula.free_symbols())
-            .chain(goal.formula.free_symbols())
-            .collect();
-        let symbols = symbols
-            .into_iter()
-            .filter(|own| !own.is_unit() && !page.is_number(own));
-        all.extend(symbols.map(|own| positive(&own)));
+        let symbols = all.iter().flat_map(|own| own.formula.free_symbols());
+        let symbols = symbols.chain(goal.formula.free_symbols()).collect();
+        all.extend(self.meant_positive(symbols));
         let claim = |formula: &Formula| self.derivation.claim(self.at, &all, formula);
         let bare = claim(&goal.formula);
         let posed = self.pose_claim(bare.clone()).ok()?;

@@ -286,7 +286,13 @@ impl Judge<'_> {
         if !in_general && law.formula == said {
             return None;
         }
-        let right = without_constant(&left, &right, &law.formula, &of).unwrap_or(right);
+        // What is said to vary further on does so from one case to another.
+        let moves = |own: &Symbol| {
+            self.auditor.changes(self.at, own, &variable)
+                && !self.auditor.is_told_to_change_later(self.at, own)
+        };
+        let right = without_constants((&left, &right), &law.formula, (&of, &variable), moves)
+            .unwrap_or(right);
         let solution = Formula::equal(left, right.clone());
         // Nothing else moves, and nothing else is known of what stands in it.
         let mut constants = solution.free_symbols();
@@ -295,11 +301,6 @@ impl Judge<'_> {
         let fixed = fixed_by(&law.formula, &meant);
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         constants.retain(|own| *own != of && *own != variable && !page.is_number(own));
-        // What is said to vary further on does so from one case to another.
-        let moves = |own: &Symbol| {
-            self.auditor.changes(self.at, own, &variable)
-                && !self.auditor.is_told_to_change_later(self.at, own)
-        };
         if constants.iter().any(moves) {
             return None;
         }
@@ -540,38 +541,37 @@ fn is_damped_wave(term: &Expr, variable: &Symbol, fixed: &Set<Symbol>) -> bool {
     has(&[Exp]) && has(&[Sin, Cos]) && !brings_rates
 }
 
-/// What a slope is said to be but for the constant of its integration, `C` of `E I \frac{dv}{dx} = -\frac{w x^3}{6} + C`, of which a law says
+/// What a slope is said to be but for the constants of its integration, `C` of `E I \frac{dv}{dx} = -\frac{w x^3}{6} + C`, of which a law says
 /// nothing that speaks of how that slope changes alone.
-fn without_constant(left: &Expr, right: &Expr, law: &Formula, of: &Symbol) -> Option<Expr> {
-    let is_slope = |part: &Expr| matches!(part, Expr::Derivative { body, .. } if **body == Expr::Symbol(of.clone()));
-    let changes = |part: &Expr| matches!(part, Expr::Derivative { body, .. } if is_slope(body));
-    let of_law = law.names();
-    fn speaks(term: &Expr, of: &Symbol, changes: &impl Fn(&Expr) -> bool) -> bool {
-        match term {
-            Expr::Symbol(own) => own == of,
-            term => !changes(term) && term.children().any(|part| speaks(part, of, changes)),
-        }
-    }
-    let speaks_of_it = law
-        .terms()
-        .into_iter()
-        .any(|term| speaks(term, of, &changes));
-    let Expr::Sum(items) = right else {
+fn without_constants(
+    (left, right): (&Expr, &Expr),
+    law: &Formula,
+    (of, variable): (&Symbol, &Symbol),
+    moves: impl Fn(&Symbol) -> bool,
+) -> Option<Expr> {
+    let slope = Expr::Symbol(of.clone()).differentiated_by(variable);
+    let change = slope.clone().differentiated_by(variable);
+    let speaks = |term: &Expr| term.replace(&change, &Expr::integer(0)).mentions(of);
+    let (Expr::Sum(items), true) = (right, left.any(&|part| *part == slope)) else {
         return None;
     };
-    if !left.any(&is_slope) || speaks_of_it {
+    if law.terms().into_iter().any(speaks) {
         return None;
     }
-    let is_constant = |item: &Expr| matches!(item, Expr::Symbol(own) if !of_law.contains(own));
-    let rest: Vec<Expr> = items
+    let of_law = law.names();
+    let is_constant = |item: &&Expr| match item {
+        Expr::Symbol(own) => !of_law.contains(own) && !moves(own),
+        _ => false,
+    };
+    let mut rest: Vec<Expr> = items
         .iter()
         .filter(|own| !is_constant(own))
         .cloned()
         .collect();
     match rest.len() {
         0 => None,
-        1 => rest.into_iter().next(),
-        len => (len < items.len()).then(|| Expr::Sum(rest.into())),
+        1 => rest.pop(),
+        _ => Some(Expr::Sum(rest.into())),
     }
 }
 

@@ -15,22 +15,22 @@ const MOST_EDITS: usize = 60;
 const LIKELIEST: usize = 8;
 
 impl Judge<'_> {
-    /// A goal that premises refute, or what follows from them with one small edit of its right side, such an edit as is said. Nothing of one
-    /// that follows, or that no edit makes follow.
+    /// A goal that is one small edit of its right side, such an edit as is said, away from what follows from premises, by what was decided of
+    /// it from these. Nothing of one that follows, or that no edit makes follow.
     pub(super) fn one_slip_away(
         &self,
         goal: &Goal,
         premises: &[Assumed],
+        decision: Decision,
         is_slip: impl Fn(&Change) -> bool,
     ) -> Option<Found> {
-        let claim = |formula: &Formula| self.derivation.claim(self.at, premises, formula);
-        let bare = claim(&goal.formula);
-        let posed = self.pose_claim(bare.clone()).ok()?;
-        let refuted = match self.decide(&posed) {
+        let refuted = match decision {
             Decision::Refuted(refuted) => Some(refuted),
             Decision::Open(_) => None,
             Decision::Proven { .. } => return None,
         };
+        let claim = |formula: &Formula| self.derivation.claim(self.at, premises, formula);
+        let bare = claim(&goal.formula);
         let witness = refuted.as_ref().map(Refuted::witness);
         let slips = Slips::of(&bare, &InChain::default(), witness, values_at).and_rarer();
         let slips = slips.filter(|edit: &Edit| edit.left_kept && is_slip(&edit.change));
@@ -60,5 +60,22 @@ impl Judge<'_> {
         };
         found.mended = Some(mended.into());
         Some(found)
+    }
+
+    /// The same of the first of several that premises may be meant, unless it follows from one of them.
+    pub(super) fn one_slip_away_from_each(
+        &self,
+        goal: &Goal,
+        all: &[Vec<Assumed>],
+        is_slip: impl Fn(&Change) -> bool,
+    ) -> Option<Found> {
+        let decided = |own: &Vec<Assumed>| self.decide_from(own, &goal.formula);
+        let decisions: Vec<Option<Decision>> = all.iter().map(decided).collect();
+        let follows = |own: &Option<Decision>| matches!(own, Some(Decision::Proven { .. }));
+        if decisions.iter().any(follows) {
+            return None;
+        }
+        let mut decided = all.iter().zip(decisions);
+        decided.find_map(|(own, decision)| self.one_slip_away(goal, own, decision?, &is_slip))
     }
 }

@@ -10,7 +10,7 @@ use crate::search::{self, Change, Effort};
 
 use super::super::Judged;
 use super::super::instances::index;
-use super::super::judge::{Found, Judge, positive, taken};
+use super::super::judge::{Found, Judge, taken};
 
 /// So much work is done for that, as [`effort`] counts it.
 const MOST_WORK: u64 = 1_000_000;
@@ -61,7 +61,6 @@ impl Judge<'_> {
         (new, whole): (&Symbol, &Symbol),
         differences: &[Expr],
     ) -> Option<Found> {
-        let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let there = |difference: &Expr| {
             let there = difference.substitute(whole, &Expr::Symbol(new.clone()));
             Formula::equal(there, Expr::integer(0))
@@ -69,8 +68,7 @@ impl Judge<'_> {
         let zeros: Vec<Formula> = differences.iter().map(there).collect();
         let mut symbols = goal.formula.free_symbols();
         symbols.extend(zeros.iter().flat_map(Formula::free_symbols));
-        symbols.retain(|own| !own.is_unit() && !page.is_number(own));
-        let positive: Vec<Assumed> = symbols.iter().map(positive).collect();
+        let positive = self.meant_positive(symbols);
         let with = |said: &Formula| -> Vec<Assumed> {
             positive.iter().cloned().chain([taken(said)]).collect()
         };
@@ -81,8 +79,8 @@ impl Judge<'_> {
         if zeros.iter().any(makes_vanish) {
             return None;
         }
-        let mut zeros = zeros.iter();
-        zeros.find_map(|zero| self.one_slip_away(goal, &with(zero), is_slip))
+        let all: Vec<Vec<Assumed>> = zeros.iter().map(with).collect();
+        self.one_slip_away_from_each(goal, &all, is_slip)
     }
 
     /// The differences of two terms that speak of a symbol, in the displays before, the nearest first.

@@ -70,7 +70,7 @@ impl Auditor<'_> {
         let goal = &open.goal;
         let mut symbols = goal.formula.free_symbols();
         let page = &self.derivation.pages[self.derivation.equations[how.at].page];
-        symbols.retain(|own| !own.is_unit() && !page.is_number(own));
+        symbols.retain(|own| page.is_quantity(own));
         let positive: Vec<Assumed> = symbols.iter().map(judge::positive).collect();
         // What stands outside of what runs is not run over.
         let runs = |part: &Expr| matches!(part, Expr::Integral { .. } | Expr::Limit { .. });
