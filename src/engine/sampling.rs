@@ -34,6 +34,8 @@ const NODES: [(f64, f64); 5] = [
 ];
 /// What is far enough for infinity.
 const FAR: f64 = 40.0;
+/// So many terms in a row add nothing to a series that goes on without end.
+const NEGLIGIBLE: u32 = 3;
 /// A series with more terms is not summed.
 const MOST_TERMS: f64 = 200.0;
 /// A symbol is looked for between the powers of this to so many steps and their reciprocals.
@@ -61,6 +63,8 @@ pub struct Sample {
     ordered: Vec<[Symbol; 2]>,
     seed: u32,
     steps: Cell<u64>,
+    /// A series that goes on without end did not die away.
+    diverges: Cell<bool>,
 }
 
 impl Sample {
@@ -78,6 +82,7 @@ impl Sample {
             ordered: Vec::new(),
             seed,
             steps: Cell::new(0),
+            diverges: Cell::new(false),
         };
         let mut equations = Vec::new();
         for premise in premises.into_iter().take(MOST_PREMISES) {
@@ -89,12 +94,15 @@ impl Sample {
             collect_counted(term, &mut sample.counted);
         }
         let mut left = Vec::new();
-        for (one, other) in equations {
+        for &(one, other) in &equations {
             if !sample.define(one, other) && !sample.define(other, one) {
                 left.push((one, other));
             }
         }
         sample.solve(left);
+        for term in goal.terms() {
+            sample.tie_slopes(term, &equations);
+        }
         let mut open = Set::new();
         for term in goal.terms() {
             sample.collect_open(term, &mut Vec::new(), &mut open);
@@ -124,6 +132,12 @@ impl Sample {
             Relation::Greater | Relation::GreaterOrEqual => Some(left >= right),
             _ => None,
         }
+    }
+
+    /// Whether both sides of a formula have values here that can be told: a series that goes on without end must die away.
+    pub fn has_value(&self, formula: &Formula) -> bool {
+        self.diverges.set(false);
+        self.holds(formula).is_some() && !self.diverges.get()
     }
 
     /// How many terms were worked out.
@@ -315,6 +329,39 @@ impl Sample {
                 }
             }
         }
+    }
+
+    /// Finds how fast something changes that an equation ties to what it changes with, all else being left as it is: `d \sin θ = m λ`.
+    fn tie_slopes(&mut self, term: &Expr, equations: &[(&Expr, &Expr)]) {
+        if let Expr::Derivative { body, variable } = term
+            && let Expr::Symbol(of) = &**body
+            && let Some(slope) = self.slope(term)
+            && !self.values.contains_key(&slope)
+            && !self.defined.contains_key(&slope)
+            && self.side_by_side(term).is_none()
+        {
+            let steep = |by: &Symbol, side: &Expr| {
+                let mut scope = Vec::new();
+                let at = self.symbol(by, &mut scope, 0)?;
+                self.steepness(side, by, at, &mut scope, 0)
+            };
+            let ties = |(one, other): &(&Expr, &Expr)| {
+                let by = |own: &Symbol| Some(steep(own, one)? - steep(own, other)?);
+                let (above, below) = (by(variable)?, by(of)?);
+                (above.abs() > NEAR && below.abs() > NEAR).then(|| -above / below)
+            };
+            let is_of_both = |(one, other): &&(&Expr, &Expr)| {
+                [of, variable]
+                    .into_iter()
+                    .all(|own| one.mentions(own) || other.mentions(own))
+            };
+            let found = equations.iter().filter(is_of_both).find_map(ties);
+            if let Some(value) = found {
+                self.values.insert(slope, value);
+            }
+        }
+        term.children()
+            .for_each(|part| self.tie_slopes(part, equations));
     }
 
     fn choose(&mut self, symbol: &Symbol) {
@@ -540,10 +587,18 @@ impl Sample {
                 if from.fract() != 0.0 || to.fract() != 0.0 || to - from > MOST_TERMS {
                     return None;
                 }
-                let (mut sum, mut at) = (0.0, from);
-                while at <= to {
-                    sum += self.with(index, at, body, scope, next)?;
+                let (mut sum, mut at, mut negligible) = (0.0_f64, from, 0);
+                while at <= to && negligible < NEGLIGIBLE {
+                    let term = self.with(index, at, body, scope, next)?;
+                    negligible = match term.abs() <= SAME * sum.abs() && to >= FAR {
+                        true => negligible + 1,
+                        false => 0,
+                    };
+                    sum += term;
                     at += 1.0;
+                }
+                if to >= FAR && negligible < NEGLIGIBLE {
+                    self.diverges.set(true);
                 }
                 Some(sum)
             }

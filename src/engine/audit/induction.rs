@@ -9,6 +9,10 @@ use super::Outcome;
 use super::judge::{Found, Judge, NEARBY, sources};
 use crate::sorted::Set;
 
+/// Why nothing is said of the elements of sequences.
+pub(super) const NO_INDUCTION: &str =
+    "neither a proof by induction nor first elements against it were found";
+
 impl Judge<'_> {
     /// Settles a goal that does not follow from what its premises say at the index itself, where they say more: by
     /// other indices, by induction, by a counterexample in first elements; and where that is not found, by leaving it
@@ -72,9 +76,7 @@ impl Judge<'_> {
                 }
             }
             None => {
-                found.judged.outcome = Outcome::open(
-                    "neither a proof by induction nor first elements against it were found",
-                );
+                found.judged.outcome = Outcome::open(NO_INDUCTION);
             }
         }
         true

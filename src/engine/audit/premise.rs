@@ -8,7 +8,7 @@ use crate::derivation::{
 use crate::kernel::Standing;
 use crate::notation::{Connective, Mark, Statement};
 
-use super::{Entry, Note, Outcome, Verdict};
+use super::{Entry, Judged, Note, Outcome, Verdict};
 use crate::sorted::Set;
 
 /// What an equation offers to those that cite it.
@@ -112,8 +112,8 @@ impl Offer {
                     }
                 }
                 if proven || !(crossed || judged.goal.questioned) {
-                    let own = match judged.outcome.is_refuted() && judged.is_of_change() {
-                        true => printed(statement, &judged.goal).into(),
+                    let own = match judged.outcome.is_refuted() {
+                        true => offered(statement, judged).into(),
                         false => judged.goal.formula.clone().into(),
                     };
                     if statement.under.is_empty() {
@@ -499,10 +499,15 @@ pub(in crate::audit) fn ends_of_chains<'a>(
     found
 }
 
-/// What a statement says where it was refuted how its sides change.
-fn printed(statement: &Statement, refuted: &Goal) -> Formula {
+/// What is offered of a statement that was refuted: what is printed, where how its sides change was judged, or what it says beside what follows.
+fn offered(statement: &Statement, judged: &Judged) -> Formula {
+    let refuted = &judged.goal;
     let printed = goals(statement);
     let mut printed = printed.into_iter();
-    let own = printed.find(|own| own.clause == refuted.clause && own.sides == refuted.sides);
-    own.map_or_else(|| refuted.formula.clone(), |own| own.formula)
+    let printed = printed.find(|own| own.clause == refuted.clause && own.sides == refuted.sides);
+    let says_the_same = |own: &Goal| own.formula.terms().get(1) == refuted.formula.terms().get(1);
+    match printed {
+        Some(own) if judged.is_of_change() || says_the_same(&own) => own.formula,
+        _ => refuted.formula.clone(),
+    }
 }

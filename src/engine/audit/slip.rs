@@ -18,6 +18,7 @@ use crate::sorted::Set;
 
 use super::again::{ELEMENT, ELSEWHERE, NAMED, OPEN_ITSELF, UNSAID};
 use super::entry::Entry;
+use super::induction::NO_INDUCTION;
 use super::readings::Circumstances;
 use super::warranted::is_supposed;
 use super::{Auditor, Judged, Note, Outcome, Verdict, judge, stated};
@@ -51,6 +52,10 @@ impl Auditor<'_> {
         refuted.find_map(|at| {
             let shown = self.shown_for(&judge, statement, how, (entry, at))?;
             let mut before: Vec<Judged> = shown.links.into_iter().take(at).collect();
+            // They are said as they are printed, whichever side the slip is on.
+            for (own, printed) in before.iter_mut().zip(&entry.judged) {
+                own.goal = printed.goal.clone();
+            }
             // What is false and near to nothing that follows says nothing of the slip in another link.
             for own in before.iter_mut().filter(|own| own.outcome.is_refuted()) {
                 own.outcome = Outcome::open(UNDECIDED);
@@ -400,7 +405,15 @@ fn is_right(edited: &Entry, printed: &Entry, link: &Judged) -> bool {
 
 /// Whether no more is known of what is left open than that it does not follow from what stands before, as far as was found.
 fn is_simply_open(stop: &Stop) -> bool {
-    let reasons = [UNDECIDED, OPEN_ITSELF, ELSEWHERE, ELEMENT, NAMED, UNSAID];
+    let reasons = [
+        UNDECIDED,
+        OPEN_ITSELF,
+        ELSEWHERE,
+        ELEMENT,
+        NAMED,
+        UNSAID,
+        NO_INDUCTION,
+    ];
     reasons.contains(&&*stop.reason)
 }
 

@@ -219,7 +219,11 @@ impl Judge<'_> {
         if !(brings || equation.bare && may_be_law() || is_meaning()) {
             return None;
         }
-        if matches!(outcome, Outcome::Refuted(_)) && self.is_evaluation(left, &others) {
+        // Another circuit has another output, in the same quantities.
+        if matches!(outcome, Outcome::Refuted(_))
+            && !is_elsewhere()
+            && self.is_evaluation(left, &others)
+        {
             return None;
         }
         // How something changes of which is known what it is follows from that.
@@ -544,6 +548,16 @@ pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
     last.outcome = match before.iter().any(is_open) {
         true if equation.extent == Extent::Condition && is_refuted => {
             Outcome::open("it is a condition, and what it is one of is left open")
+        }
+        // "The condition is transcendental": of what is put to nought, words alone have told.
+        false
+            if before.is_empty()
+                && equation.is_condition
+                && is_refuted
+                && entry.mended.is_none()
+                && !matches!(last.goal.formula.terms()[0], Expr::Symbol(_)) =>
+        {
+            Outcome::open("it is a condition, and nothing before says what vanishes there")
         }
         false if is_of_slope() => {
             last.assumed.clear();

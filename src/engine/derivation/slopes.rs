@@ -36,6 +36,8 @@ struct Given {
     moving: Set<Symbol>,
     /// By a term of any other kind, with what that speaks of.
     defined: Vec<(Symbol, Set<Symbol>)>,
+    /// By any term, where what it is a function of is written with it.
+    given: Set<Symbol>,
     /// Functions, each with what it is a function of; `None` where that is not the same everywhere.
     functions: Map<Symbol, Option<Symbol>>,
     /// What stands with two primes, `w''(x)`, each with what it is a function of there.
@@ -121,12 +123,14 @@ impl Given {
             }
             if let Expr::Apply(_, arguments) = left
                 && let [Expr::Symbol(argument)] = &arguments[..]
-                && value.mentions(argument)
             {
-                let known = self.functions.entry(name.clone());
-                let known = known.or_insert_with(|| Some(argument.clone()));
-                if known.as_ref() != Some(argument) {
-                    *known = None;
+                self.given.insert(name.clone());
+                if value.mentions(argument) {
+                    let known = self.functions.entry(name.clone());
+                    let known = known.or_insert_with(|| Some(argument.clone()));
+                    if known.as_ref() != Some(argument) {
+                        *known = None;
+                    }
                 }
             }
         }
@@ -265,10 +269,14 @@ impl Given {
     ) -> Option<Slope> {
         let (name, order, is_dot) = base(marked)?;
         let is_another = || self.alone.contains(marked) || self.own.contains(marked);
+        // Who gives an `R'(r)` and writes `\frac{dR'}{dr}` means a thing of its own, per unit length.
+        let is_own =
+            || self.given.contains(marked) && self.slopes.iter().any(|own| own.0 == *marked);
         let says_so = || self.differentiated.contains(&name) || of_slopes();
         let may_be = |by: &Symbol| by != time || !is_another() && says_so();
         let by = match is_dot {
             true => self.moving.contains(&name).then(|| time.clone()),
+            false if is_own() => None,
             false => self.functions.get(&name)?.clone().filter(may_be),
         };
         by.map(|by| Slope {

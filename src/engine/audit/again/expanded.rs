@@ -13,7 +13,7 @@ use crate::algebra::{
     Atom, Atoms, BigRational, Expr, Formula, Fraction, LimitPoint, Lowering, Monomial, Rational,
     Relation, Symbol,
 };
-use crate::derivation::{Approach, Assumed, Goal, sizes};
+use crate::derivation::{Approach, Assumed, Goal, Source, sizes};
 
 use super::super::Outcome;
 use super::super::judge::{Found, Judge, sources};
@@ -272,6 +272,11 @@ impl Judge<'_> {
         let known = right.free_symbols();
         let own = left_when_cancelled(left).unwrap_or_else(|| left.free_symbols());
         let is_constant = |own: &Symbol| own.is_unit() || own.name() == "\\pi";
+        // A chain goes on with what it began with, and ties nothing: `V = V_s (\frac{1 + x}{2 + x} - \frac12) = \frac{V_s}{4} \frac{x}{1 + x/2}`.
+        let goes_on = |own: &Assumed| {
+            let is_equation = matches!(own.source, Source::Equation(_));
+            is_equation && used.iter().any(|used| used.source == own.source)
+        };
         let ties = |own: &&Assumed| {
             let names = own.formula.names();
             let is_of_both = |name: &Symbol| known.contains(name) || is_constant(name);
@@ -280,6 +285,7 @@ impl Judge<'_> {
                 && names.len() > 1
                 && names.iter().all(is_of_both)
                 && !used.contains(own)
+                && !goes_on(own)
         };
         own.iter()
             .all(|own| known.contains(own) || is_constant(own) || *own == approach.variable)

@@ -84,14 +84,18 @@ impl Judge<'_> {
         goal: &Goal,
         premises: &[usize],
     ) -> Option<Found> {
-        let (rate, value) = goal.formula.said_of()?;
+        let (rate, value) = match goal.formula.as_equation()? {
+            // `T(d) = 2 \pi \sqrt{\dots}`
+            (Expr::Apply(rate, _), value) => (rate, value),
+            _ => goal.formula.said_of()?,
+        };
         let kind = Rate::of(rate)?;
         let is_plain = goal.is_said_outright() && goal.rounding.is_none();
         if !is_plain
             || value.mentions(rate)
             || matches!(value, Expr::Number(_))
-            || !self.says(&SWINGING)
-            || self.says(&OTHERWISE)
+            || !self.text_has(&SWINGING, 1)
+            || self.text_has(&OTHERWISE, 1)
         {
             return None;
         }
@@ -101,7 +105,7 @@ impl Judge<'_> {
             .chain(&self.usable.assumed)
             .chain(near)
             .collect();
-        let is_small = self.speaks_of_small();
+        let is_small = self.text_has(&SMALL, MOST_BEFORE);
         let named = value.free_symbols();
         let swings = known.iter().filter_map(|own| swing_of(own, is_small));
         // The law is that which speaks most of what the value is made of, the nearest of these.
@@ -141,10 +145,19 @@ impl Judge<'_> {
         symbols.extend(goal.formula.free_symbols());
         symbols.retain(|own| undotted(own).is_none());
         all.extend(self.meant_positive(symbols));
-        let rate = kind.squared(Expr::Symbol(rate.clone()));
+        let rate = match goal.formula.terms()[0] {
+            applied @ Expr::Apply(..) => {
+                all.push(taken(&Formula::positive(applied.clone())));
+                applied.clone()
+            }
+            _ => Expr::Symbol(rate.clone()),
+        };
+        let rate = kind.squared(rate);
         let pull = product_of(vec![rate, swing.of.clone()]);
         let swings = Formula::equal(swing.acceleration.clone(), Expr::Negate(pull.into()));
         all.push(taken(&swings));
+        // It follows, and is found sooner where it is said.
+        all.push(taken(&Formula::nonzero(swing.acceleration.clone())));
         match self.decide_from(&all, &goal.formula)? {
             Decision::Proven { .. } => Some(Found::open(Judged {
                 goal: goal.clone(),
@@ -155,14 +168,14 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether the text before says that something is small.
-    fn speaks_of_small(&self) -> bool {
+    /// Whether one of some words stands in the text since so many displays before.
+    fn text_has(&self, sought: &[&str], displays: usize) -> bool {
         let page = self.derivation.equations[self.at].page;
         let first = self.derivation.equations_of(page).start;
-        let mut displays = (first..=self.at).rev().take(MOST_BEFORE);
+        let mut displays = (first..=self.at).rev().take(displays);
         displays.any(|at| {
             let mut words = words_of(self.derivation.text_before(at));
-            words.any(|word| SMALL.contains(&word.as_str()))
+            words.any(|word| sought.contains(&word.as_str()))
         })
     }
 }

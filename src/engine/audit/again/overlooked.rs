@@ -4,10 +4,10 @@
 //! What comes to a number is not refuted as if they were not there: either with them, or not at all.
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal, Source, formulas};
+use crate::derivation::{Assumed, Goal, Source, formulas, goals};
 use crate::document::{Item, Span};
 use crate::notation::{Statement, has_decimals, plain_symbol, read_formulas};
-use crate::search::{self, Decision};
+use crate::search::{self, Change, Decision, Mended};
 use crate::sorted::Set;
 
 use super::super::Outcome;
@@ -85,6 +85,42 @@ impl Judge<'_> {
             found.leave_open(format!(
                 "it follows with the numbers that stand before for {}, and nothing says that these are still meant",
                 names(&far)
+            ));
+        }
+    }
+
+    /// Leaves open what a chain says that comes to a number, where the text since the last display tells a number for what a premise has
+    /// besides: `E = \rho R^5/t^2 = 1.1 \times 10^{14}\,\mathrm{J}` of `R = C (E t^2/\rho)^{1/5}`, "with $C = 1$".
+    pub(in crate::audit) fn heed_values_put_in(
+        &self,
+        goal: &Goal,
+        assumed: &[Assumed],
+        found: &mut Found,
+    ) {
+        let is_slip = |own: &Mended| !matches!(own.change, Change::Symbol { .. });
+        if !found.judged.outcome.is_refuted() || found.mended.as_deref().is_some_and(is_slip) {
+            return;
+        }
+        let statements = self.derivation.equations[self.at].statements().iter();
+        let comes_to_number = statements.map(goals).any(|chain| {
+            let mut rest = chain.iter().skip_while(|own| own.formula != goal.formula);
+            let is_one = rest.next().is_some();
+            let ends = |own: &Goal| {
+                let sides = own.formula.as_equation();
+                sides.is_some_and(|(_, right)| is_number(right))
+            };
+            is_one && rest.any(ends)
+        });
+        if !comes_to_number {
+            return;
+        }
+        let mut near = self.without_value(self.values_near(), goal, assumed);
+        let names = goal.formula.names();
+        near.retain(|own| valued(own).is_some_and(|(of, _)| !names.contains(of)));
+        if !near.is_empty() {
+            found.leave_open(format!(
+                "it may follow with the numbers that the text names for {}",
+                self::names(&near)
             ));
         }
     }

@@ -199,6 +199,7 @@ impl Judge<'_> {
             }
             self.heed_what_is_written(goal, all, found);
             self.heed_values_told(goal, all, found);
+            self.heed_values_put_in(goal, all, found);
             self.heed_values_replaced(goal, all, found);
             self.heed_figures_for_what_has_no_value(goal, all, found);
             self.heed_figures_put_in(goal, found);

@@ -86,7 +86,8 @@ impl Auditor<'_> {
         // What is worked out of numbers alone, and rounded on the way.
         let source = &page.document.source;
         let (mut agreed, mut wrong, mut left) = (Vec::new(), Vec::new(), Vec::new());
-        for goal in open.map(as_meant).map(near_summands) {
+        let as_near = |own: &Judged| as_near_as_before(as_meant(own), &entry.judged);
+        for goal in open.map(as_near).map(near_summands) {
             if let Some(link) = reckoned::agreed_loosely(&goal, source) {
                 agreed.push(link);
                 continue;
@@ -346,8 +347,14 @@ impl Auditor<'_> {
         };
         let is_number = |own: &Judged| {
             let sides = own.goal.formula.as_equation();
-            let is_one = matches!(sides, Some((Expr::Symbol(_), Expr::Number(_))));
-            is_one && entry.mended.is_none() && lists_numbers()
+            let is_plain = |value: &Expr| value.is_arithmetic() && value.free_symbols().is_empty();
+            let is_one =
+                sides.is_some_and(|(of, value)| matches!(of, Expr::Symbol(_)) && is_plain(value));
+            let outright = own.goal.suppositions.is_empty();
+            is_one
+                && outright
+                && entry.mended.is_none()
+                && (lists_numbers() || judge.cites_loosely())
         };
         let may_be =
             |own: &Judged| says_how_great(&own.goal) || is_evaluated(own) || is_number(own);
@@ -570,6 +577,29 @@ fn near_summands(goal: Goal) -> Goal {
         }
         Some(_) => goal,
     }
+}
+
+/// A goal that goes on from what the link before it rounded, as near as that is at most: `r = 1.63\,a_0 = 0.0862\,\mathrm{nm}`.
+fn as_near_as_before(goal: Goal, links: &[Judged]) -> Goal {
+    let ends_there = |own: &&Judged| {
+        own.goal.sides.1 == goal.sides.0
+            && own.goal.formula.terms().get(1) == goal.formula.terms().first()
+    };
+    let before = links.iter().find(ends_there);
+    let before = before.and_then(|own| {
+        own.goal
+            .rounding
+            .as_ref()
+            .filter(|_| !is_figures(own.goal.formula.terms()[1]))
+    });
+    let rounding = match (&goal.rounding, before) {
+        (Some(own), Some(before)) => Some(Rounding {
+            share: &own.share + &before.share,
+            precision: own.precision,
+        }),
+        (own, _) => own.clone(),
+    };
+    Goal { rounding, ..goal }
 }
 
 /// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.

@@ -4,7 +4,7 @@
 use std::cell::Cell;
 
 use crate::algebra::{Expr, Formula, Symbol};
-use crate::derivation::{Assumed, Goal};
+use crate::derivation::{Assumed, Goal, Source};
 use crate::sampling::Sample;
 
 use super::super::entry::Entry;
@@ -47,7 +47,12 @@ impl Auditor<'_> {
         let open = judge.open_before(how.premises);
         let with = |others| -> Vec<&Formula> {
             let all = [&how.usable.assumed, &links, &of_it, others, &open];
-            all.into_iter().flatten().map(|own| &*own.formula).collect()
+            let mut all: Vec<&Assumed> = all.into_iter().flatten().collect();
+            // What is cited says how something changes, and what words supposed of it before leaves constants open.
+            if goal.formula.speaks_of_slopes() {
+                all.sort_by_key(|own| matches!(own.source, Source::Local(..)));
+            }
+            all.into_iter().map(|own| &*own.formula).collect()
         };
         let mut sets = vec![with(near)];
         if !all.is_empty() {
@@ -179,7 +184,7 @@ fn seeds<'a>(premises: &'a [&Formula], goal: &'a Formula) -> impl Iterator<Item 
     let mut left = MOST_STEPS;
     let samples = (0..MOST_SEEDS).map_while(move |seed| {
         let own = (left > 0).then(|| Sample::of(premises.iter().copied(), goal, seed))?;
-        let has_value = own.holds(goal).is_some();
+        let has_value = own.has_value(goal);
         left = left.saturating_sub(own.steps());
         Some((own, has_value))
     });

@@ -299,6 +299,7 @@ impl Reader<'_> {
             section_start: self.first_here,
             extent: self.extent,
             at_moment: self.told_extent == Extent::Moment,
+            is_condition: self.told_extent == Extent::Condition,
             moments: 0..0,
             drawn: is_derived,
             numeric: said.numeric.clone().filter(|_| kind != Kind::Given),

@@ -33,6 +33,7 @@ pub fn rarer_edits(printed: &Formula) -> Vec<Edit> {
         let side = if is_left { left } else { right };
         let mut found = Vec::new();
         writer.everywhere(side, &mut |change, term| found.push((change, term)));
+        writer.throughout(side, &mut |change, term| found.push((change, term)));
         all.extend(found.into_iter().map(|(change, term)| {
             let formula = match is_left {
                 true => Formula::equal(term, right.clone()),
@@ -64,6 +65,22 @@ impl Writer {
             self.everywhere(child, &mut |change, edited| {
                 found(change, with_child(term, at, edited));
             });
+        }
+    }
+
+    /// What a term may have been where a symbol stands in it more than once, and everywhere without its square, or with one that it has not:
+    /// `\frac{1 + e}{1 - e}` for `\frac{1 + e^2}{1 - e^2}`.
+    fn throughout(&self, term: &Expr, found: &mut dyn FnMut(Change, Expr)) {
+        for own in self.symbols.iter().cloned().map(Expr::Symbol) {
+            if occurrences(term, &own) < 2 {
+                continue;
+            }
+            let square = Expr::Power(own.clone().into(), Expr::integer(2).into());
+            match occurrences(term, &square) {
+                0 => found(Change::Exponent, term.replace(&own, &square)),
+                1 => {}
+                _ => found(Change::Exponent, term.replace(&square, &own)),
+            }
         }
     }
 
@@ -185,6 +202,14 @@ impl Writer {
                 found(Expr::Sum([term.clone(), own].into()));
             }
         }
+    }
+}
+
+/// How often a part stands in a term.
+fn occurrences(term: &Expr, part: &Expr) -> usize {
+    match term == part {
+        true => 1,
+        false => term.children().map(|own| occurrences(own, part)).sum(),
     }
 }
 
