@@ -161,6 +161,14 @@ fn cotangents_and_their_like_are_quotients() {
             r"\operatorname{sech} x = \csch y",
             r"\frac{2}{\exp\left( x \right) + \exp\left( -x \right)} = \frac{2}{\exp\left( y \right) - \exp\left( -y \right)}",
         ),
+        (
+            r"\operatorname{artanh} x = a",
+            r"\frac{1}{2} \ln\left( \frac{1 + x}{1 - x} \right) = a",
+        ),
+        (
+            r"\operatorname{arcosh} x = \operatorname{arcsinh} y",
+            r"\ln\left( x + \sqrt{x^2 - 1} \right) = \ln\left( y + \sqrt{y^2 + 1} \right)",
+        ),
         // A function after a stroke begins what is divided by.
         (
             r"\sin x/\cos x = \ln a/\ln b",
@@ -169,6 +177,16 @@ fn cotangents_and_their_like_are_quotients() {
     ]);
     are_refused(&[
         (r"\cot\cot x = a", r"\cot", "inside of another one"),
+        (
+            r"\sinh\operatorname{arsinh} x = a",
+            r"\operatorname{arsinh}",
+            "of another one",
+        ),
+        (
+            r"\tanh^{-1} x = a",
+            r"\tanh^{-1}",
+            r"write `\operatorname{artanh}`",
+        ),
         (r"\sinh\cot x = a", r"\cot", "inside of another one"),
         (r"\sin^{-1} x = a", r"\sin^{-1}", r"write `\arcsin`"),
         (r"\sinh^{-1} x = a", r"\sinh^{-1}", "inverse function"),

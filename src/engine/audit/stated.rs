@@ -59,14 +59,27 @@ impl Judge<'_> {
         // The place is a value of the variable: `\tau(a) = a P/(2 L)`.
         let place = quantities(place);
         let others: Set<Symbol> = others.difference(&place).cloned().collect();
-        let gives = |own: &Assumed| match own.formula.as_equation() {
-            Some((left, right)) => {
-                left == &**body && right.mentions(variable) && others.is_subset(&quantities(right))
-            }
-            None => false,
-        };
+        if others.is_empty() {
+            return false;
+        }
         let [sound, _] = self.others(&[]);
-        !others.is_empty() && self.usable.assumed.iter().chain(sound).any(gives)
+        let open = self.open_before(&[]);
+        let known = || self.usable.assumed.iter().chain(sound).chain(&open);
+        let given = |of: &Expr| -> Vec<&Expr> {
+            let values = known().filter_map(|own| own.formula.as_equation());
+            let values = values.filter(|(left, _)| *left == of);
+            values.map(|(_, value)| value).collect()
+        };
+        // What it is made of may be said by others: `s(b)` of `s = A + \frac{B}{r^2}`, where `A` and `B` are known in `a` and `b`.
+        let is_made_of_these = |value: &&Expr| {
+            let mut made_of = quantities(value);
+            for own in quantities(value) {
+                let parts = given(&Expr::Symbol(own)).into_iter();
+                made_of.extend(parts.flat_map(quantities));
+            }
+            value.mentions(variable) && others.is_subset(&made_of)
+        };
+        given(body).iter().any(is_made_of_these)
     }
 
     /// What a statement that is not proved speaks of first, or says how great it is, if it may be stated rather than derived.

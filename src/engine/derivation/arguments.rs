@@ -29,6 +29,8 @@ struct Spoken {
     alone: bool,
     /// By what it is differentiated by itself somewhere.
     moves: BTreeSet<Symbol>,
+    /// What a term speaks of by which it is given without an argument.
+    given_in: BTreeSet<Symbol>,
     /// Its value at a number is spoken of.
     valued: bool,
     /// Nothing may be concluded from that.
@@ -58,6 +60,9 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
     let all: Vec<(Symbol, Spoken)> = all.into_entries().collect();
     let moving = all.iter().filter(|own| !own.1.moves.is_empty());
     let moving: Set<Symbol> = moving.map(|own| own.0.clone()).collect();
+    let variables: BTreeSet<Symbol> = (all.iter())
+        .flat_map(|own| own.1.moves.iter().cloned())
+        .collect();
     for (name, own) in all {
         // `w''(L)` is read of `w`.
         if base(&name).is_some_and(|of| moving.contains(&of.0)) {
@@ -73,11 +78,18 @@ pub(super) fn leave_out(page: &mut Page, equations: &mut [Equation]) {
         let may_be_left_out = own.solved && own.alone && !own.apart;
         // "At $t_1$ it is $y(t_1)$", where `y` is elsewhere what `y(t)` is.
         let beside_values = || the_argument(&own.arguments).filter(|_| may_be_left_out);
+        // `s = A + \frac{B}{r^2}`, where the page says how something changes with `r`.
+        let by_term = || {
+            let mut by = own.given_in.iter().filter(|own| variables.contains(*own));
+            let only = by.next()?;
+            (own.moves.is_empty() && by.next().is_none()).then_some(only)
+        };
         // "At the free end it is $y(L)$", where `y` changes with `x`.
         let of_places = || {
             let mut places = own.arguments.iter();
             let by = own.moves.first().filter(|_| own.moves.len() == 1);
-            let by = by.or(told.filter(|_| own.moves.is_empty()))?;
+            let by = by.or(told.filter(|_| own.moves.is_empty()));
+            let by = by.or_else(by_term)?;
             let is_moved = may_be_left_out && !own.arguments.is_empty();
             (is_moved && places.all(|place| place != by && names_a_place(place))).then_some(by)
         };
@@ -135,8 +147,13 @@ fn see_together<'a>(formulas: impl Iterator<Item = &'a Formula>, all: &mut Tree<
         if let Formula::AllEqual { sequence, .. } = formula {
             own.entry(sequence.clone()).or_default().apart = true;
         }
-        if let Some((Expr::Apply(name, _), _)) = formula.as_equation() {
-            own.entry(name.clone()).or_default().solved = true;
+        match formula.as_equation() {
+            Some((Expr::Apply(name, _), _)) => own.entry(name.clone()).or_default().solved = true,
+            Some((Expr::Symbol(name), value)) => {
+                let known = own.entry(name.clone()).or_default();
+                known.given_in.extend(value.free_symbols());
+            }
+            _ => {}
         }
         for term in formula.terms() {
             see(term, &mut Vec::new(), &mut own);
@@ -147,6 +164,7 @@ fn see_together<'a>(formulas: impl Iterator<Item = &'a Formula>, all: &mut Tree<
         known.apart |= own.apart || own.alone && !own.arguments.is_empty();
         known.alone |= own.alone || !own.moves.is_empty();
         known.moves.extend(own.moves);
+        known.given_in.extend(own.given_in);
         known.solved |= own.solved;
         known.valued |= own.valued;
         known.arguments.extend(own.arguments);

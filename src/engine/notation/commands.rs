@@ -244,12 +244,21 @@ pub(super) fn function(command: &str) -> Option<Function> {
 pub(super) fn is_function(command: &str) -> bool {
     function(command).is_some()
         || is_hyperbolic(command)
+        || is_area(command)
         || matches!(command, "cot" | "sec" | "csc" | "lg")
 }
 
 /// Whether a command names a hyperbolic function, which is read as what it is in exponentials.
 pub(super) fn is_hyperbolic(command: &str) -> bool {
     let names = ["sinh", "cosh", "tanh", "coth", "sech", "csch"];
+    names.contains(&command)
+}
+
+/// Whether a word names the inverse of a hyperbolic function, which is read as what it is in logarithms.
+pub(super) fn is_area(command: &str) -> bool {
+    let names = [
+        "arsinh", "arcsinh", "arcosh", "arccosh", "artanh", "arctanh",
+    ];
     names.contains(&command)
 }
 

@@ -4,7 +4,7 @@
 //! Which of the places it is words say, and are not understood; but what the new name stands for is made of their names, and is what the law
 //! says at one of them, or something else is meant. It is refuted where the law says so at none, and with one small edit would.
 
-use crate::algebra::{Formula, Symbol, effort, split_subscript};
+use crate::algebra::{Expr, Formula, LimitPoint, Symbol, effort, split_subscript};
 use crate::derivation::{Assumed, Goal, Source, renamed};
 use crate::kernel::Standing;
 use crate::search::{self, Change, Effort};
@@ -12,6 +12,7 @@ use crate::sorted::Set;
 
 use super::super::instances::index;
 use super::super::judge::{Found, Judge};
+use super::super::premise::ends_of_chains;
 use super::super::stated::quantities;
 
 /// So much work is done for that, as [`effort`] counts it.
@@ -33,13 +34,17 @@ impl Judge<'_> {
         let (new, named) = self.defined_anew(goal)?;
         let whole = new.without_subscript().filter(|_| index(new).is_some())?;
         let is_plain = goal.is_said_outright() && goal.rounding.is_none();
-        let is_place = |own: &Symbol| split_subscript(own.name()).is_some();
-        if !is_plain || named.contains(&whole) || !named.iter().any(is_place) {
+        if !is_plain || named.contains(&whole) {
             return None;
         }
         let [near, _] = self.others(premises);
         let open = self.open_before(premises);
         let known = || self.usable.assumed.iter().chain(near).chain(&open);
+        let is_place = |own: &Symbol| split_subscript(own.name()).is_some();
+        let is_end = |own: &Symbol| known().any(|said| ends(&said.formula).any(|end| end.1 == own));
+        if !named.iter().any(|own| is_place(own) || is_end(own)) {
+            return None;
+        }
         let is_law = |own: &&Assumed| {
             matches!(own.source, Source::Equation(_))
                 && own.formula.as_equation().is_some()
@@ -52,7 +57,9 @@ impl Judge<'_> {
                 laws.push(own);
             }
         }
-        let known: Vec<&Assumed> = known().collect();
+        // `V = \int_a^b E\,dr = \frac{q}{2 \pi} \ln\frac ba` says what `V` is in the end.
+        let in_the_end = ends_of_chains(known(), |_| true);
+        let known: Vec<&Assumed> = known().chain(&in_the_end).collect();
         let held = || {
             let mut all = laws.iter();
             all.find_map(|law| self.held_at_places(goal, (new, &whole), &named, law, &known))
@@ -121,13 +128,21 @@ impl Judge<'_> {
         let mut open = law.formula.names();
         open.retain(|own| own != whole && !named.contains(own) && page.is_quantity(own));
         let is_of = |own: &Symbol, of: &Symbol| own.without_subscript().as_ref() == Some(of);
+        let is_end = |of: &Symbol, own: &Symbol| {
+            let mut all = known.iter().flat_map(|said| ends(&said.formula));
+            all.any(|end| end == (of, own))
+        };
+        let has_ends = (open.iter()).any(|of| named.iter().any(|own| is_end(of, own)));
         let (mut places, mut has_place) = (vec![Vec::new()], false);
         for of in &open {
-            let own: Vec<&Symbol> = named.iter().filter(|own| is_of(own, of)).collect();
+            let own: Vec<&Symbol> =
+                (named.iter().filter(|own| is_of(own, of) || is_end(of, own))).collect();
             has_place |= !own.is_empty();
             let put: Vec<Symbol> = match own.is_empty() {
                 false => own.into_iter().cloned().collect(),
-                true if is_said(of, known) => vec![of.clone()],
+                true if is_said(of, known) || has_ends && is_tied(of, named, known) => {
+                    vec![of.clone()]
+                }
                 true => {
                     let said = known.iter().filter_map(|own| own.formula.said_of());
                     let said = said.map(|(own, _)| own).filter(|own| is_of(own, of));
@@ -176,6 +191,44 @@ impl Judge<'_> {
         all.extend(self.meant_positive(spoken));
         all
     }
+}
+
+/// Where integrals begin and end, each with what they run over, and where values are taken: `a` and `b` of `\int_a^b E\,dr`.
+fn ends(formula: &Formula) -> impl Iterator<Item = (&Symbol, &Symbol)> {
+    let mut found = Vec::new();
+    for term in formula.terms() {
+        collect_ends(term, &mut found);
+    }
+    found.into_iter()
+}
+
+fn collect_ends<'a>(term: &'a Expr, found: &mut Vec<(&'a Symbol, &'a Symbol)>) {
+    let mut end = |of: &'a Symbol, place: &'a Expr| {
+        if let Expr::Symbol(place) = place {
+            found.push((of, place));
+        }
+    };
+    match term {
+        Expr::Integral {
+            variable, from, to, ..
+        } => {
+            end(variable, from);
+            end(variable, to);
+        }
+        Expr::Limit {
+            variable,
+            point: LimitPoint::Finite(place),
+            ..
+        } => end(variable, place),
+        _ => {}
+    }
+    term.children().for_each(|part| collect_ends(part, found));
+}
+
+/// Whether something says by a symbol what another one is that a value is made of: `V = \frac{q}{2 \pi} \ln\frac ba` of `q`.
+fn is_tied(symbol: &Symbol, named: &Set<Symbol>, known: &[&Assumed]) -> bool {
+    let mut said = known.iter().filter_map(|own| own.formula.said_of());
+    said.any(|(of, value)| named.contains(of) && value.mentions(symbol))
 }
 
 /// Whether something says by a term what a symbol is.

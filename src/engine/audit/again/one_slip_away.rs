@@ -42,6 +42,10 @@ impl Judge<'_> {
                 true => search::prove_by_degrees(&posed)?,
                 false => search::prove_posed(&posed, Effort::Light)?,
             };
+            // From what contradicts itself anything would follow.
+            if search::rests_on_contradiction(&derived.proven) {
+                return None;
+            }
             Some((edit.formula, Mended::of(derived.proven, edit.change)))
         })?;
         // What follows may be rational nowhere; both that and what is printed cannot be so.

@@ -364,30 +364,22 @@ fn with_names(
             names.insert(symbol.clone());
         });
     }
-    // A `G(s)` is a function, and no constant of nature.
-    let terms = rows
-        .iter()
-        .flat_map(|row| &row.formulas)
-        .flat_map(Formula::terms);
-    let mut applied = Set::new();
-    terms.for_each(|term| collect_applied(term, &mut applied));
-    names.retain(|own| !applied.contains(own));
-    for (symbol, own) in constants(page, &names) {
+    // A `G(s) = …` is a function, and no constant of nature.
+    let given = rows.iter().flat_map(|row| &row.formulas);
+    let given: Set<&Symbol> = given
+        .filter_map(|formula| match formula.as_equation() {
+            Some((Expr::Apply(name, _), _)) => Some(name),
+            _ => None,
+        })
+        .collect();
+    let of_nature = constants(page, &names).into_iter();
+    for (symbol, own) in of_nature.filter(|own| !given.contains(&own.0)) {
         told.entry(symbol).or_insert(Some(own));
     }
     let told = known(&told);
     let spoken_of = told.iter().filter(|(symbol, _)| names.contains(*symbol));
     let spoken_of = spoken_of.map(|(symbol, own)| (symbol.clone(), own.clone()));
     spoken_of.collect()
-}
-
-/// Adds the names that a term has as functions.
-fn collect_applied(term: &Expr, applied: &mut Set<Symbol>) {
-    if let Expr::Apply(name, _) = term {
-        applied.insert(name.clone());
-    }
-    term.children()
-        .for_each(|part| collect_applied(part, applied));
 }
 
 /// What of this is known for certain.

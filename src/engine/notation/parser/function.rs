@@ -342,7 +342,7 @@ impl Parser<'_> {
     /// `\sin(x)`, or `\sin 2\pi x`: without parentheses the argument is the run of plain factors, side by side.
     pub(super) fn call(&mut self, name: &str) -> Read<Expr> {
         let angle = matches!(name, "sin" | "cos" | "tan" | "cot" | "sec" | "csc");
-        let doubles = commands::is_hyperbolic(name) || name == "cot";
+        let doubles = commands::is_hyperbolic(name) || commands::is_area(name) || name == "cot";
         if doubles && self.doubled {
             // Each would double what is in it.
             let message = match name {
@@ -385,6 +385,9 @@ impl Parser<'_> {
                         Some(_) => {
                             format!("write `\\arc{name}`, or `\\frac{{1}}{{\\{name} …}}`")
                         }
+                        None if commands::is_area(&format!("ar{name}")) => format!(
+                            "write `\\operatorname{{ar{name}}}`, or `\\frac{{1}}{{\\{name} …}}`"
+                        ),
                         None => format!("for a quotient write `\\frac{{1}}{{\\{name} …}}`"),
                     };
                     return refuse_with(self.since(start), message, help);
@@ -558,6 +561,9 @@ fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
         return call(function, argument);
     }
     let one = || Expr::integer(1);
+    if commands::is_area(name) {
+        return area(name, argument);
+    }
     match name {
         "cot" => {
             let cosine = call(Function::Cos, argument.clone());
@@ -578,6 +584,32 @@ fn called(name: &str, base: Option<&Expr>, argument: Expr) -> Expr {
         "sech" => over(Expr::integer(2), sum),
         "csch" => over(Expr::integer(2), difference),
         _ => over(difference, sum),
+    }
+}
+
+/// The inverse of a hyperbolic function by logarithms, which have values just where it has: `\ln(x + \sqrt{x^2 + 1})` of `arsinh x`.
+fn area(name: &str, argument: Expr) -> Expr {
+    let one = || Expr::integer(1);
+    let minus = |term: Expr| Expr::Negate(term.into());
+    let sum = |one: Expr, other: Expr| Expr::Sum([one, other].into());
+    let logarithm = |of: Expr| Expr::Call(Function::Ln, of.into());
+    let with_root = |by: Expr| {
+        let square = Expr::Power(argument.clone().into(), Expr::integer(2).into());
+        let half = Expr::Number(BigRational::new(1.into(), 2.into()));
+        let root = Expr::Power(sum(square, by).into(), half.into());
+        logarithm(sum(argument.clone(), root))
+    };
+    match name {
+        "arsinh" | "arcsinh" => with_root(one()),
+        "arcosh" | "arccosh" => with_root(minus(one())),
+        _ => {
+            let quotient = Expr::Quotient(
+                sum(one(), argument.clone()).into(),
+                sum(one(), minus(argument)).into(),
+            );
+            let half = Expr::Quotient(one().into(), Expr::integer(2).into());
+            Expr::Product([half, logarithm(quotient)].into())
+        }
     }
 }
 
