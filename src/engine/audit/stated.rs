@@ -565,7 +565,7 @@ pub(super) fn leave_condition(entry: &mut Entry, equation: &Equation) {
         // "The condition is transcendental": of what is put to nought, words alone have told.
         false
             if before.is_empty()
-                && equation.is_condition
+                && equation.told_extent == Extent::Condition
                 && is_refuted
                 && entry.mended.is_none()
                 && !matches!(last.goal.formula.terms()[0], Expr::Symbol(_)) =>

@@ -85,7 +85,9 @@ impl Derivation {
         let own = &self.equations[at];
         let given = own.kind == Kind::Given && !own.locals.is_empty();
         let of_moment = |statement| said_of_moment(statement, Extent::Moment, |_| true).is_some();
-        let told = own.at_moment && !own.explains && own.statements().iter().all(of_moment);
+        let told = own.told_extent == Extent::Moment
+            && !own.explains
+            && own.statements().iter().all(of_moment);
         if !told && !given {
             return Standing::Identity;
         }

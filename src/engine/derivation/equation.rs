@@ -86,10 +86,8 @@ pub struct Equation {
     pub section_start: usize,
     /// Of how much words say that it is said, where none say that it follows.
     pub extent: Extent,
-    /// Whether the text before it speaks of one moment, cite it what it may.
-    pub at_moment: bool,
-    /// Whether the text before it speaks of a condition, cite it what it may.
-    pub is_condition: bool,
+    /// Of how much the text before it says that it is said, cite it what it may.
+    pub told_extent: Extent,
     /// What it says of one moment alone, as positions in [`Page::locals`](super::Page::locals).
     pub moments: Range<usize>,
     /// Whether words before it cite something or say that it follows, and none that it defines anything.

@@ -41,7 +41,10 @@ impl Judge<'_> {
         let open = self.open_before(premises);
         let known = || self.usable.assumed.iter().chain(near).chain(&open);
         let is_place = |own: &Symbol| split_subscript(own.name()).is_some();
-        let is_end = |own: &Symbol| known().any(|said| ends(&said.formula).any(|end| end.1 == own));
+        let mut ends = Set::new();
+        let terms = known().flat_map(|own| own.formula.terms());
+        terms.for_each(|term| collect_ends(term, &mut ends));
+        let is_end = |own: &Symbol| ends.iter().any(|end| end.1 == own);
         if !named.iter().any(|own| is_place(own) || is_end(own)) {
             return None;
         }
@@ -62,7 +65,10 @@ impl Judge<'_> {
         let known: Vec<&Assumed> = known().chain(&in_the_end).collect();
         let held = || {
             let mut all = laws.iter();
-            all.find_map(|law| self.held_at_places(goal, (new, &whole), &named, law, &known))
+            all.find_map(|law| {
+                let places = self.places((law, &whole), &named, &known, &ends)?;
+                self.held_at_places(goal, (new, &whole), &named, (law, &places), &known)
+            })
         };
         effort::within(MOST_WORK, held)
     }
@@ -72,10 +78,9 @@ impl Judge<'_> {
         goal: &Goal,
         (new, whole): (&Symbol, &Symbol),
         named: &Set<Symbol>,
-        law: &Assumed,
+        (law, places): (&Assumed, &[Vec<(Symbol, Symbol)>]),
         known: &[&Assumed],
     ) -> Option<Found> {
-        let places = self.places(law, whole, named, known)?;
         let there = |of: &Symbol, place: &Vec<(Symbol, Symbol)>| -> There {
             let rename = |own: &Symbol| match place.iter().find(|(named, _)| named == own) {
                 Some((_, there)) => there.clone(),
@@ -119,24 +124,24 @@ impl Judge<'_> {
     /// What may be put for what a law speaks of and the value does not: names of it that the value is made of, or what has a meaning.
     fn places(
         &self,
-        law: &Assumed,
-        whole: &Symbol,
+        (law, whole): (&Assumed, &Symbol),
         named: &Set<Symbol>,
         known: &[&Assumed],
+        ends: &Set<(&Symbol, &Symbol)>,
     ) -> Option<Vec<Vec<(Symbol, Symbol)>>> {
         let page = &self.derivation.pages[self.derivation.equations[self.at].page];
         let mut open = law.formula.names();
         open.retain(|own| own != whole && !named.contains(own) && page.is_quantity(own));
         let is_of = |own: &Symbol, of: &Symbol| own.without_subscript().as_ref() == Some(of);
-        let is_end = |of: &Symbol, own: &Symbol| {
-            let mut all = known.iter().flat_map(|said| ends(&said.formula));
-            all.any(|end| end == (of, own))
-        };
-        let has_ends = (open.iter()).any(|of| named.iter().any(|own| is_end(of, own)));
+        let has_ends = ends
+            .iter()
+            .any(|(of, own)| open.contains(*of) && named.contains(*own));
         let (mut places, mut has_place) = (vec![Vec::new()], false);
         for of in &open {
-            let own: Vec<&Symbol> =
-                (named.iter().filter(|own| is_of(own, of) || is_end(of, own))).collect();
+            let own: Vec<&Symbol> = (named
+                .iter()
+                .filter(|own| is_of(own, of) || ends.contains(&(of, *own))))
+            .collect();
             has_place |= !own.is_empty();
             let put: Vec<Symbol> = match own.is_empty() {
                 false => own.into_iter().cloned().collect(),
@@ -193,19 +198,11 @@ impl Judge<'_> {
     }
 }
 
-/// Where integrals begin and end, each with what they run over, and where values are taken: `a` and `b` of `\int_a^b E\,dr`.
-fn ends(formula: &Formula) -> impl Iterator<Item = (&Symbol, &Symbol)> {
-    let mut found = Vec::new();
-    for term in formula.terms() {
-        collect_ends(term, &mut found);
-    }
-    found.into_iter()
-}
-
-fn collect_ends<'a>(term: &'a Expr, found: &mut Vec<(&'a Symbol, &'a Symbol)>) {
+/// Adds where integrals begin and end, each with what they run over, and where values are taken: `a` and `b` of `\int_a^b E\,dr`.
+fn collect_ends<'a>(term: &'a Expr, found: &mut Set<(&'a Symbol, &'a Symbol)>) {
     let mut end = |of: &'a Symbol, place: &'a Expr| {
         if let Expr::Symbol(place) = place {
-            found.push((of, place));
+            found.insert((of, place));
         }
     };
     match term {

@@ -6,6 +6,7 @@
 
 use crate::algebra::{Expr, Formula, Symbol};
 use crate::derivation::{Assumed, Equation, Goal, Local, Source};
+use crate::document::Extent;
 use crate::notation::plain_formula;
 use num_traits::Zero;
 
@@ -154,7 +155,8 @@ impl Judge<'_> {
     fn displayed_of_a_moment(&self, found: &Found, premises: &[usize]) -> Option<String> {
         let is_of_moment = |own: &&Assumed| match own.source {
             Source::Equation(premise) => {
-                !premises.contains(&premise) && self.derivation.equations[premise].at_moment
+                !premises.contains(&premise)
+                    && self.derivation.equations[premise].told_extent == Extent::Moment
             }
             _ => false,
         };

@@ -61,10 +61,7 @@ impl Judge<'_> {
                         names(&near)
                     ));
                 }
-                _ => found.leave_open(format!(
-                    "it may follow with the numbers that the text names for {}",
-                    names(&near)
-                )),
+                _ => found.leave_open(may_follow_with(&near)),
             }
         }
         if !found.judged.outcome.is_refuted() {
@@ -118,10 +115,7 @@ impl Judge<'_> {
         let names = goal.formula.names();
         near.retain(|own| valued(own).is_some_and(|(of, _)| !names.contains(of)));
         if !near.is_empty() {
-            found.leave_open(format!(
-                "it may follow with the numbers that the text names for {}",
-                self::names(&near)
-            ));
+            found.leave_open(may_follow_with(&near));
         }
     }
 
@@ -312,6 +306,12 @@ fn valued(formula: &Formula) -> Option<(&Symbol, &Expr)> {
         Some((Expr::Symbol(symbol), value)) => Some((symbol, value)),
         _ => None,
     }
+}
+
+/// Why a step is left open that may follow with values that words tell.
+fn may_follow_with(values: &[Formula]) -> String {
+    let names = names(values);
+    format!("it may follow with the numbers that the text names for {names}")
 }
 
 /// The symbols that values are of, as a message lists them.

@@ -86,7 +86,10 @@ impl Auditor<'_> {
         // What is worked out of numbers alone, and rounded on the way.
         let source = &page.document.source;
         let (mut agreed, mut wrong, mut left) = (Vec::new(), Vec::new(), Vec::new());
-        let as_near = |own: &Judged| as_near_as_before(as_meant(own), &entry.judged);
+        let as_near = |own: &Judged| {
+            let before = self.derivation.link_before(at, &own.goal);
+            as_near_as_before(as_meant(own), before)
+        };
         for goal in open.map(as_near).map(near_summands) {
             if let Some(link) = reckoned::agreed_loosely(&goal, source) {
                 agreed.push(link);
@@ -580,26 +583,18 @@ fn near_summands(goal: Goal) -> Goal {
 }
 
 /// A goal that goes on from what the link before it rounded, as near as that is at most: `r = 1.63\,a_0 = 0.0862\,\mathrm{nm}`.
-fn as_near_as_before(goal: Goal, links: &[Judged]) -> Goal {
-    let ends_there = |own: &&Judged| {
-        own.goal.sides.1 == goal.sides.0
-            && own.goal.formula.terms().get(1) == goal.formula.terms().first()
+fn as_near_as_before(mut goal: Goal, before: Option<Goal>) -> Goal {
+    let is_of_figures = |own: &Goal| {
+        own.formula
+            .terms()
+            .get(1)
+            .is_some_and(|end| is_figures(end))
     };
-    let before = links.iter().find(ends_there);
-    let before = before.and_then(|own| {
-        own.goal
-            .rounding
-            .as_ref()
-            .filter(|_| !is_figures(own.goal.formula.terms()[1]))
-    });
-    let rounding = match (&goal.rounding, before) {
-        (Some(own), Some(before)) => Some(Rounding {
-            share: &own.share + &before.share,
-            precision: own.precision,
-        }),
-        (own, _) => own.clone(),
-    };
-    Goal { rounding, ..goal }
+    let before = before.filter(|own| !is_of_figures(own));
+    if let (Some(own), Some(before)) = (&mut goal.rounding, before.and_then(|own| own.rounding)) {
+        own.share += before.share;
+    }
+    goal
 }
 
 /// A goal whose right side is a whole number, taken for rounded to its last digit that is not 0.
